@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "equilibrium/equilibrator.h"
+#include "mesh/foam.h"
+#include "topology/thresholds.h"
+
+namespace foam {
+
+enum class TwoSidedBubbles {
+  Remove, ///< a two-sided bubble stays on its film and is removed (T3) at the T2 area
+  Slide   ///< it slides to the nearest corner and becomes three-sided (thesis 3.6.1)
+};
+
+struct CoarseningOptions {
+  double time_step = 1.0 / 30; ///< Δt, s, > 0
+  double permeability = 1;     ///< κ, cm²/s in the thesis's units, ≥ 0
+  ThresholdOptions thresholds;
+  TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
+  EquilibratorOptions equilibrator;
+};
+
+/// Von Neumann's rate of growth per side beyond six (thesis 2.4.5), K = (2π/3)γκ, cm²/s.
+double von_neumann_constant(double surface_tension, double permeability);
+
+/// dA/dt of every bubble from the gas that its films let through, −κ·Σ l·Δp (thesis 2.4.1), cm²/s;
+/// 0 for vanished bubbles. The wall of a sealed container lets nothing through.
+std::vector<double> gas_transfer(const Foam& foam, double permeability);
+
+/// The coarsening of a foam, frame by frame. Composes an equilibrator.
+class Coarsening {
+public:
+  virtual ~Coarsening() = default;
+
+  /// Begins anew from a foam; nothing is kept from before.
+  virtual void restart(Foam foam) = 0;
+
+  /// Advances by one time step.
+  /// \returns false, with the foam as it was, if a bubble of a double bubble would vanish: a single
+  /// bubble has no junction and is outside the model.
+  /// \throws Aborted, with the foam as it was before the call.
+  virtual bool advance(const AbortCheck& aborted) = 0;
+
+  virtual const Foam& foam() const = 0;
+};
+
+/// The coarsening that goes with the equilibrator: between topological events for Newton, the
+/// thesis's frame (Figures 3.13 and 4.8) for Junction.
+/// \throws FoamError for options out of range.
+std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options);
+
+} // namespace foam

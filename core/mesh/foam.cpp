@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/foam.h"
+
+#include <algorithm>
+
+namespace foam {
+
+Index Foam::bubble_count() const {
+  return static_cast<Index>(
+      std::count_if(bubble_half.begin(), bubble_half.end(), [](Index h) { return h != kNone; }));
+}
+
+Index Foam::film_count() const {
+  return static_cast<Index>(std::count_if(half_junction.begin(), half_junction.end(),
+                                          [](Index j) { return j != kNone; })) /
+         2;
+}
+
+Index Foam::junction_count() const {
+  return static_cast<Index>(std::count_if(junction_half.begin(), junction_half.end(),
+                                          [](const auto& h) { return h[0] != kNone; }));
+}
+
+bool Foam::junction_on_world(Index j) const {
+  const auto& halves = junction_half[size(j)];
+  return std::any_of(halves.begin(), halves.end(), [this](Index h) { return left(h) == kWorld; });
+}
+
+bool Foam::bubble_on_world(Index b) const {
+  bool found = false;
+  for_each_half(*this, b, [&](Index h) { found = found || right(h) == kWorld; });
+  return found;
+}
+
+double Foam::area(Index b) const {
+  double twice_polygon = 0;
+  double segments = 0;
+  Vec2 at; // relative to the first junction: a torus has no origin, and no digits are lost far out
+  for_each_half(*this, b, [&](Index h) {
+    const Vec2 d = chord(h);
+    twice_polygon += cross(at, d);
+    segments += segment_area(norm(d), half_angle(h));
+    at += d;
+  });
+  return 0.5 * twice_polygon + segments;
+}
+
+double Foam::energy() const {
+  double total = 0;
+  for (Index f = 0; f < film_capacity(); ++f) {
+    if (has_film(f) && !wall(2 * f)) {
+      total += length(2 * f);
+    }
+  }
+  return 2 * surface_tension * total;
+}
+
+double Foam::mean_spacing() const {
+  double total = 0;
+  Index count = 0;
+  for (Index b = 0; b < bubble_capacity(); ++b) {
+    if (has_bubble(b)) {
+      total += target_area[size(b)];
+      ++count;
+    }
+  }
+  return std::sqrt(total / std::max(count, Index{1}));
+}
+
+void Foam::resize(Index bubbles, Index films, Index junctions) {
+  bubble_half.assign(size(bubbles), kNone);
+  sides.assign(size(bubbles), 0);
+  pressure.assign(size(bubbles), 0.0);
+  target_area.assign(size(bubbles), 0.0);
+  bubble_id.assign(size(bubbles), 0);
+  half_junction.assign(size(2 * films), kNone);
+  half_bubble.assign(size(2 * films), kWorld);
+  film_angle.assign(size(films), 0.0);
+  film_wrap.assign(size(films), Wrap{});
+  position.assign(size(junctions), Vec2{});
+  junction_half.assign(size(junctions), {kNone, kNone, kNone});
+}
+
+} // namespace foam

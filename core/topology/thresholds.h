@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/foam.h"
+
+namespace foam {
+
+/// How small a film or a bubble is when it gives way, in the foam's units.
+struct Thresholds {
+  double t1_length = 0; ///< δ_T1, cm
+  double t2_area = 0;   ///< δ_T2, cm²
+};
+
+/// The user's choice of thresholds (thesis 3.2.2).
+struct ThresholdOptions {
+  bool relative = false;    ///< false: the two absolute values; true: Weygand's, from alpha
+  double t1_length = 0.025; ///< cm, ≥ 0
+  double t2_area = 0.05;    ///< cm², ≥ 0
+  double alpha = 0.05;      ///< Weygand's α, > 0
+};
+
+/// The thresholds in force for a foam. Relative ones follow D. Weygand, Y. Bréchet and J. Lépinoux,
+/// Phil. Mag. B 78 (1998) 329, as in the thesis (3.2.2): δ_T1 = α·√(2·A_total/(π·m)) for m
+/// junctions, δ_T2 = δ_T1².
+Thresholds thresholds(const Foam& foam, const ThresholdOptions& options);
+
+} // namespace foam

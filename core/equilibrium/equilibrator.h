@@ -29,14 +29,14 @@ enum class Sweep { Jacobi, GaussSeidel };
 /// Constants of the thesis's method; defaults of its Figure 4.19.
 struct JunctionOptions {
   Sweep sweep = Sweep::Jacobi;
-  bool energy_decay = true;            ///< Energy Decay Constraint (3.5.2)
-  bool orientation_invariant = false;  ///< Orientation Invariant Constraint (3.5.1)
-  double damping = 0.1;                ///< τ
+  bool energy_decay = true;             ///< Energy Decay Constraint (3.5.2)
+  bool orientation_invariant = false;   ///< Orientation Invariant Constraint (3.5.1)
+  double damping = 0.1;                 ///< τ
   double finite_difference_step = 0.01; ///< h
-  double jacobian_tolerance = 1;       ///< δ_error
-  double pressure_tolerance = 0.001;   ///< δ_Δp, N/cm
-  double position_tolerance = 0.001;   ///< δ_Δx, cm
-  double minimum_scale = 1e-5;         ///< δ_scale
+  double jacobian_tolerance = 1;        ///< δ_error
+  double pressure_tolerance = 0.001;    ///< δ_Δp, N/cm
+  double position_tolerance = 0.001;    ///< δ_Δx, cm
+  double minimum_scale = 1e-5;          ///< δ_scale
 };
 
 struct EquilibratorOptions {
@@ -60,7 +60,8 @@ public:
   /// \returns what was reached, which is also left in foam.report: a foam that did not reach
   /// equilibrium is not `converged`.
   /// \throws Aborted
-  virtual EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) = 0;
+  virtual EquilibriumReport equilibrate(Foam& foam, double t1_length,
+                                        const AbortCheck& aborted) = 0;
 
   /// Drops all that is kept from earlier calls, so that the next result depends on the foam alone.
   virtual void forget() = 0;

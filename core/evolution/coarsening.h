@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "equilibrium/equilibrator.h"
+#include "evolution/diffusion.h"
 #include "mesh/foam.h"
 #include "topology/thresholds.h"
 
@@ -22,13 +23,6 @@ struct CoarseningOptions {
   EquilibratorOptions equilibrator;
 };
 
-/// Von Neumann's rate of growth per side beyond six (thesis 2.4.5), K = (2π/3)γκ, cm²/s.
-double von_neumann_constant(double surface_tension, double permeability);
-
-/// dA/dt of every bubble from the gas that its films let through, −κ·Σ l·Δp (thesis 2.4.1), cm²/s;
-/// 0 for vanished bubbles. The wall of a sealed container lets nothing through.
-std::vector<double> gas_transfer(const Foam& foam, double permeability);
-
 /// The coarsening of a foam, frame by frame. Composes an equilibrator.
 class Coarsening {
 public:
@@ -38,9 +32,10 @@ public:
   virtual void restart(Foam foam) = 0;
 
   /// Advances by one time step.
-  /// \returns false, with the foam as it was, if a bubble of a double bubble would vanish: a single
-  /// bubble has no junction and is outside the model.
-  /// \throws Aborted, with the foam as it was before the call.
+  /// \returns false, with the foam as it was, if a bubble would vanish that cannot: one of a double
+  /// bubble, say, for a single bubble has no junction and is outside the model.
+  /// \throws Aborted, with the foam as it was before the call; what was kept to be fast is lost, so
+  /// that only restart() leads back to the bits of a run that was not aborted.
   virtual bool advance(const AbortCheck& aborted) = 0;
 
   virtual const Foam& foam() const = 0;

@@ -30,35 +30,25 @@ struct ArcShape {
 namespace detail {
 
 /// Coefficients of α^{2k}, k = 0, 1, …, of α/sin α.
-inline constexpr std::array<double, 13> kLengthSeries = {
-    1.0,
-    0.16666666666666666,
-    0.019444444444444445,
-    0.00205026455026455,
-    0.0002099867724867725,
-    2.1336045641601196e-05,
-    2.1633474427786596e-06,
-    2.192327134456764e-07,
-    2.2213930853920414e-08,
-    2.2507674795567867e-09,
-    2.280510770721821e-10,
-    2.3106421580996967e-11,
-    2.3411704028931947e-12};
+inline constexpr std::array<double, 13> kLengthSeries = {1.0,
+                                                         0.16666666666666666,
+                                                         0.019444444444444445,
+                                                         0.00205026455026455,
+                                                         0.0002099867724867725,
+                                                         2.1336045641601196e-05,
+                                                         2.1633474427786596e-06,
+                                                         2.192327134456764e-07,
+                                                         2.2213930853920414e-08,
+                                                         2.2507674795567867e-09,
+                                                         2.280510770721821e-10,
+                                                         2.3106421580996967e-11,
+                                                         2.3411704028931947e-12};
 
 /// Coefficients of α^{2k+1}, k = 0, 1, …, of ¼ d(−α cot α)/dα.
 inline constexpr std::array<double, 13> kAreaSeries = {
-    0.16666666666666666,
-    0.022222222222222223,
-    0.0031746031746031746,
-    0.0004232804232804233,
-    5.344449788894233e-05,
-    6.493212842419191e-06,
-    7.674081748155823e-07,
-    8.885843515991871e-08,
-    1.0128530932564046e-08,
-    1.140257560229609e-09,
-    1.2708537929451442e-10,
-    1.4047024091894931e-11,
+    0.16666666666666666,    0.022222222222222223,  0.0031746031746031746,  0.0004232804232804233,
+    5.344449788894233e-05,  6.493212842419191e-06, 7.674081748155823e-07,  8.885843515991871e-08,
+    1.0128530932564046e-08, 1.140257560229609e-09, 1.2708537929451442e-10, 1.4047024091894931e-11,
     1.5418661310151875e-12};
 
 /// Below this |α| the closed forms lose digits to cancellation and the series do not.
@@ -102,7 +92,9 @@ inline ArcShape arc_shape(double alpha) {
 }
 
 /// Length of the arc (cm) over a chord d (cm).
-inline double arc_length(double chord, double alpha) { return chord * arc_shape(alpha).f; }
+inline double arc_length(double chord, double alpha) {
+  return chord * arc_shape(alpha).f;
+}
 
 /// Signed area (cm²) between the arc and its chord, > 0 on the left bubble's account.
 inline double segment_area(double chord, double alpha) {
@@ -110,7 +102,9 @@ inline double segment_area(double chord, double alpha) {
 }
 
 /// Curvature (1/cm) of the arc, with the sign of α.
-inline double arc_curvature(double chord, double alpha) { return 2 * std::sin(alpha) / chord; }
+inline double arc_curvature(double chord, double alpha) {
+  return 2 * std::sin(alpha) / chord;
+}
 
 /// Unit tangent at the start of the arc, pointing into it.
 inline Vec2 start_tangent(Vec2 chord, double alpha) {

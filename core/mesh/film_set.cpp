@@ -188,6 +188,11 @@ Foam foam_of(const FilmSet& set) {
       ++foam.sides[Foam::size(b)];
     }
   }
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    if (!foam.has_bubble(b)) {
+      throw FoamError("bubble " + to_string(foam.bubble_id[Foam::size(b)]) + " has no films");
+    }
+  }
   const auto problems = validate(foam);
   if (!problems.empty()) {
     throw FoamError(problems.front());

@@ -12,12 +12,12 @@ namespace foam {
 /// the mesh's internal order. Films and junctions are numbered from 0 in the order given here.
 struct FilmSet {
   struct Film {
-    Index start = kNone;      ///< junction
-    Index end = kNone;        ///< junction
-    std::int64_t left = -1;   ///< BubbleId on the left of the walk from start to end; −1 = world
-    std::int64_t right = -1;  ///< BubbleId on the right
-    double half_angle = 0;    ///< rad, > 0 where the film bulges to the right
-    Wrap wrap;                ///< periods from start to end; (0, 0) unless Periodic
+    Index start = kNone;     ///< junction
+    Index end = kNone;       ///< junction
+    std::int64_t left = -1;  ///< BubbleId on the left of the walk from start to end; −1 = world
+    std::int64_t right = -1; ///< BubbleId on the right
+    double half_angle = 0;   ///< rad, > 0 where the film bulges to the right
+    Wrap wrap;               ///< periods from start to end; (0, 0) unless Periodic
   };
   struct Bubble {
     std::int64_t id = 0;
@@ -40,9 +40,9 @@ struct FilmSet {
 /// The films of a foam, compacted. Their order is that of the foam's films.
 FilmSet film_set(const Foam& foam);
 
-/// The foam of a list of films. A function of the list alone: the same list gives the same foam, bit
-/// for bit, and film_set(foam_of(list)) is the list.
-/// \throws FoamError if the films do not make a valid foam; the message names the element.
+/// The foam of a list of films. A function of the list alone: the same list gives the same foam,
+/// bit for bit, and film_set(foam_of(list)) is the list. \throws FoamError if the films do not make
+/// a valid foam; the message names the element.
 Foam foam_of(const FilmSet& films);
 
 } // namespace foam

@@ -89,14 +89,14 @@ struct Foam {
   std::vector<std::array<Index, 3>> junction_half; ///< outgoing, counter-clockwise; kNone if gone
 
   Boundary boundary = Boundary::Free;
-  Box box;                     ///< the torus; unused otherwise
-  double surface_tension = 0;  ///< γ, N/cm
-  double time = 0;             ///< s
-  std::int64_t t1_count = 0;   ///< T1s so far
-  std::int64_t t2_count = 0;   ///< T2s so far
-  std::int64_t t3_count = 0;   ///< T3s so far
-  EquilibriumReport report;    ///< of the last equilibration
-  std::uint64_t topology = 0;  ///< grows with every topological change
+  Box box;                    ///< the torus; unused otherwise
+  double surface_tension = 0; ///< γ, N/cm
+  double time = 0;            ///< s
+  std::int64_t t1_count = 0;  ///< T1s so far
+  std::int64_t t2_count = 0;  ///< T2s so far
+  std::int64_t t3_count = 0;  ///< T3s so far
+  EquilibriumReport report;   ///< of the last equilibration
+  std::uint64_t topology = 0; ///< grows with every topological change
 
   Index bubble_capacity() const { return static_cast<Index>(bubble_half.size()); }
   Index film_capacity() const { return static_cast<Index>(film_angle.size()); }
@@ -127,8 +127,12 @@ struct Foam {
   /// The one before h in the bubble on its left.
   Index previous_in_bubble(Index h) const { return twin(next_around_junction(h)); }
 
-  double half_angle(Index h) const { return (h & 1) ? -film_angle[size(h >> 1)] : film_angle[size(h >> 1)]; }
-  void set_half_angle(Index h, double alpha) { film_angle[size(h >> 1)] = (h & 1) ? -alpha : alpha; }
+  double half_angle(Index h) const {
+    return (h & 1) ? -film_angle[size(h >> 1)] : film_angle[size(h >> 1)];
+  }
+  void set_half_angle(Index h, double alpha) {
+    film_angle[size(h >> 1)] = (h & 1) ? -alpha : alpha;
+  }
   Wrap wrap(Index h) const { return (h & 1) ? -film_wrap[size(h >> 1)] : film_wrap[size(h >> 1)]; }
   void set_wrap(Index h, Wrap w) { film_wrap[size(h >> 1)] = (h & 1) ? -w : w; }
 

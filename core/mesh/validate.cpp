@@ -121,11 +121,12 @@ private:
 
   void check_euler() {
     const bool torus = foam_.boundary == Boundary::Periodic;
-    const Index characteristic = foam_.junction_count() - foam_.film_count() +
-                                 foam_.bubble_count() + (torus ? 0 : 1);
-    require(characteristic == (torus ? 0 : 2),
-            "Euler's V - E + F is " + to_string(characteristic) + ", not " +
-                (torus ? "0: the foam does not fill the torus" : "2: the foam is not in one piece"));
+    const Index characteristic =
+        foam_.junction_count() - foam_.film_count() + foam_.bubble_count() + (torus ? 0 : 1);
+    require(
+        characteristic == (torus ? 0 : 2),
+        "Euler's V - E + F is " + to_string(characteristic) + ", not " +
+            (torus ? "0: the foam does not fill the torus" : "2: the foam is not in one piece"));
   }
 
   void require(bool holds, const std::string& problem) {
@@ -140,7 +141,9 @@ private:
 
 } // namespace
 
-std::vector<std::string> validate(const Foam& foam) { return Validator(foam).run(); }
+std::vector<std::string> validate(const Foam& foam) {
+  return Validator(foam).run();
+}
 
 std::vector<std::string> validate_geometry(const Foam& foam) {
   std::vector<std::string> problems;
@@ -158,8 +161,7 @@ std::vector<std::string> validate_geometry(const Foam& foam) {
   }
   for (Index b = 0; b < foam.bubble_capacity(); ++b) {
     if (foam.has_bubble(b) && !(foam.area(b) > 0)) {
-      problems.push_back("the area of bubble " + to_string(b) + " is " +
-                         to_string(foam.area(b)));
+      problems.push_back("the area of bubble " + to_string(b) + " is " + to_string(foam.area(b)));
     }
   }
   return problems;

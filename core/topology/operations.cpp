@@ -39,33 +39,43 @@ void remove_junction(Foam& foam, Index j) {
   foam.junction_half[Foam::size(j)] = {kNone, kNone, kNone};
 }
 
-void remove_bubble(Foam& foam, Index b) { foam.bubble_half[Foam::size(b)] = kNone; }
-
-/// The half-angle of h after its start has moved while its end, and its direction there, stayed.
-double prolonged_half_angle(Vec2 end_tangent, Vec2 new_chord) {
-  return -angle_from_to(end_tangent, -new_chord);
+void remove_bubble(Foam& foam, Index b) {
+  foam.bubble_half[Foam::size(b)] = kNone;
 }
 
-/// Areas of bubbles before an operation; gives each bubble what it has gained since.
-template <std::size_t N> class AreaLedger {
+/// The half-angle of a film after its start has moved while its end, and its direction there,
+/// stayed. Straight where that is no prolongation: the start has moved past the end, or all around.
+double prolonged_half_angle(double half_angle, Vec2 old_chord, Vec2 new_chord) {
+  constexpr double kWidest = 3;
+  const double prolonged = half_angle - angle_from_to(old_chord, new_chord);
+  return dot(old_chord, new_chord) > 0 && std::abs(prolonged) < kWidest ? prolonged : 0;
+}
+
+/// Shares out the gas of a bubble that is removed: each neighbour's target area grows by what the
+/// neighbour itself gains, and by an equal share of what the bubble's area lacked of its target.
+template <std::size_t N> class GasLedger {
 public:
-  AreaLedger(const Foam& foam, std::array<Index, N> bubbles) : bubbles_(bubbles) {
+  GasLedger(const Foam& foam, Index removed, const std::array<Index, N>& neighbours)
+      : neighbours_(neighbours),
+        share_((foam.target_area[Foam::size(removed)] - foam.area(removed)) / N) {
     for (std::size_t i = 0; i < N; ++i) {
-      before_[i] = bubbles[i] == kWorld ? 0 : foam.area(bubbles[i]);
+      before_[i] = neighbours[i] == kWorld ? 0 : foam.area(neighbours[i]);
     }
   }
-  void credit_gains(Foam& foam) const {
+  void share_out(Foam& foam) const {
     for (std::size_t i = 0; i < N; ++i) {
-      const bool seen = std::find(bubbles_.begin(), bubbles_.begin() + i, bubbles_[i]) !=
-                        bubbles_.begin() + i;
-      if (bubbles_[i] != kWorld && !seen) {
-        foam.target_area[Foam::size(bubbles_[i])] += foam.area(bubbles_[i]) - before_[i];
+      const Index b = neighbours_[i];
+      if (b != kWorld) {
+        const bool seen =
+            std::find(neighbours_.begin(), neighbours_.begin() + i, b) != neighbours_.begin() + i;
+        foam.target_area[Foam::size(b)] += share_ + (seen ? 0 : foam.area(b) - before_[i]);
       }
     }
   }
 
 private:
-  std::array<Index, N> bubbles_;
+  std::array<Index, N> neighbours_;
+  double share_;
   std::array<double, N> before_{};
 };
 
@@ -111,6 +121,17 @@ std::optional<Vec2> common_point(const std::array<Circle, 3>& circles, Vec2 star
   return x;
 }
 
+/// The one contact that replaces the middle two of four along a wall, so that the container keeps
+/// its area.
+Vec2 merged_contact(const std::array<Vec2, 4>& wall) {
+  const Vec2 base = wall[3] - wall[0];
+  const Vec2 middle = 0.5 * (wall[1] + wall[2]) - wall[0];
+  const double twice_area =
+      cross(wall[1] - wall[0], wall[2] - wall[0]) + cross(wall[2] - wall[0], base);
+  const double rise = (cross(middle, base) - twice_area) / dot(base, base);
+  return wall[0] + middle + rise * left_normal(base);
+}
+
 } // namespace
 
 bool can_perform_t1(const Foam& foam, Index film) {
@@ -136,15 +157,21 @@ std::array<Index, 2> perform_t1(Foam& foam, Index film) {
   const Index at_start = foam.left(h1);
   const Index at_end = foam.left(t1);
   const Vec2 chord = foam.chord(h);
-  const Vec2 middle = foam.position[Foam::size(a)] + 0.5 * chord;
-  Vec2 half_across = 0.5 * left_normal(chord);
-  if (foam.boundary == Boundary::Fixed && (at_start == kWorld || at_end == kWorld)) {
-    // The new film becomes wall; it opens along the wall on both sides of the old contact.
-    const Vec2 along = foam.chord(at_start == kWorld ? h1 : t2);
-    half_across = (0.5 * norm(chord) / norm(along)) * along;
+  const Vec2 at_a = foam.position[Foam::size(a)];
+  const Vec2 to_b = foam.position[Foam::size(b)] - (at_a + chord); // a period, on a torus
+  Vec2 new_a = at_a + 0.5 * chord + 0.5 * left_normal(chord);
+  Vec2 new_b = new_a - left_normal(chord);
+  const auto along_wall = [&](Index wall) {
+    const Vec2 way = foam.chord(wall);
+    return std::min(norm(chord) / norm(way), 0.5) * way;
+  };
+  if (foam.boundary == Boundary::Fixed && at_start == kWorld) {
+    new_a = at_a;
+    new_b = at_a + along_wall(h2);
+  } else if (foam.boundary == Boundary::Fixed && at_end == kWorld) {
+    new_b = at_a + chord;
+    new_a = new_b + along_wall(t2);
   }
-  const Vec2 contact = at_start == kWorld ? foam.position[Foam::size(a)]
-                                          : foam.position[Foam::size(a)] + chord;
 
   const Wrap along = foam.wrap(h);
   foam.half_bubble[Foam::size(h)] = at_end;
@@ -162,10 +189,8 @@ std::array<Index, 2> perform_t1(Foam& foam, Index film) {
   add_sides(foam, at_start, 1);
   add_sides(foam, at_end, 1);
 
-  const Vec2 centre = foam.wall(h) ? contact : middle;
-  const Vec2 to_b = foam.position[Foam::size(b)] - (foam.position[Foam::size(a)] + chord);
-  foam.position[Foam::size(a)] = centre + half_across;
-  foam.position[Foam::size(b)] = centre - half_across + to_b;
+  foam.position[Foam::size(a)] = new_a;
+  foam.position[Foam::size(b)] = new_b + to_b;
   const double q = foam.pressure_of(at_end) - foam.pressure_of(at_start);
   const double sine = q * norm(chord) / (4 * foam.surface_tension);
   foam.set_half_angle(h, foam.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
@@ -201,31 +226,27 @@ T2Result perform_t2(Foam& foam, Index bubble) {
       ++k;
     });
   }
-  const AreaLedger<3> ledger(foam, result.bubbles);
+  const GasLedger<3> gas(foam, bubble, result.bubbles);
 
   const Vec2 origin = foam.position[Foam::size(corner[0])];
   const std::array<Vec2, 3> offset{Vec2{}, foam.chord(inner[0]), -foam.chord(inner[2])};
   const Vec2 mean = origin + (1.0 / 3) * (offset[1] + offset[2]);
   std::array<Circle, 3> circles{};
-  std::array<Vec2, 3> end_tangent{};
-  std::array<Vec2, 3> end_point{};
+  std::array<Vec2, 3> chord{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 chord = foam.chord(outer[k]);
+    chord[k] = foam.chord(outer[k]);
     circles[k] = {origin + offset[k], foam.tangent(outer[k]),
-                  arc_curvature(norm(chord), foam.half_angle(outer[k]))};
-    end_tangent[k] = foam.tangent(Foam::twin(outer[k]));
-    end_point[k] = origin + offset[k] + chord;
+                  arc_curvature(norm(chord[k]), foam.half_angle(outer[k]))};
   }
   const double size = norm(offset[1]) + norm(offset[2]) + norm(offset[2] - offset[1]);
 
-  const bool at_wall = foam.boundary == Boundary::Fixed &&
-                       std::ranges::find(result.bubbles, kWorld) != result.bubbles.end();
   Vec2 meeting = common_point(circles, mean, size).value_or(mean);
-  if (at_wall) { // on the wall's piece that the bubble leaves behind
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (result.bubbles[k] == kWorld) {
-        meeting = origin + offset[k] + 0.5 * foam.chord(inner[k]);
-      }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (foam.boundary == Boundary::Fixed && result.bubbles[k] == kWorld) {
+      const std::size_t next = (k + 1) % 3;
+      const Vec2 begin = origin + offset[k];
+      const Vec2 end = origin + offset[next];
+      meeting = merged_contact({begin + chord[k], begin, end, end + chord[next]});
     }
   }
 
@@ -241,12 +262,14 @@ T2Result perform_t2(Foam& foam, Index bubble) {
     remove_film(foam, Foam::film_of(inner[k]));
     represent(foam, outer[k]);
     add_sides(foam, result.bubbles[k], -1);
-    foam.set_half_angle(outer[k], foam.wall(outer[k]) ? 0
-                                                      : prolonged_half_angle(
-                                                            end_tangent[k], end_point[k] - meeting));
+    const Vec2 new_chord = origin + offset[k] + chord[k] - meeting;
+    foam.set_half_angle(outer[k],
+                        foam.wall(outer[k])
+                            ? 0
+                            : prolonged_half_angle(foam.half_angle(outer[k]), chord[k], new_chord));
   }
   remove_bubble(foam, bubble);
-  ledger.credit_gains(foam);
+  gas.share_out(foam);
   ++foam.t2_count;
   ++foam.topology;
   return result;
@@ -257,7 +280,8 @@ bool can_perform_t3(const Foam& foam, Index bubble) {
     return false;
   }
   const Index h = foam.bubble_half[Foam::size(bubble)];
-  return has_sides(foam, Foam::twin(h), 4) && has_sides(foam, Foam::twin(foam.next_in_bubble(h)), 4);
+  return has_sides(foam, Foam::twin(h), 4) &&
+         has_sides(foam, Foam::twin(foam.next_in_bubble(h)), 4);
 }
 
 std::array<Index, 2> perform_t3(Foam& foam, Index bubble) {
@@ -268,15 +292,16 @@ std::array<Index, 2> perform_t3(Foam& foam, Index bubble) {
   const Index j1 = foam.start(e1);
   const Index o0 = foam.previous_around_junction(e0);
   const Index o1 = foam.previous_around_junction(e1);
-  const AreaLedger<2> ledger(foam, neighbours);
+  const GasLedger<2> gas(foam, bubble, neighbours);
 
   const Index end = foam.end(o1);
-  const Vec2 end_tangent = foam.tangent(Foam::twin(o0));
-  const Vec2 chord = foam.chord(o0) - foam.chord(e0) - foam.chord(o1);
+  const Vec2 old_chord = foam.chord(o0);
+  const Vec2 chord = old_chord - foam.chord(e0) - foam.chord(o1);
   foam.set_wrap(o0, foam.wrap(o0) - foam.wrap(e0) - foam.wrap(o1));
   foam.half_junction[Foam::size(o0)] = end;
   std::ranges::replace(foam.junction_half[Foam::size(end)], Foam::twin(o1), o0);
-  foam.set_half_angle(o0, foam.wall(o0) ? 0 : prolonged_half_angle(end_tangent, chord));
+  foam.set_half_angle(
+      o0, foam.wall(o0) ? 0 : prolonged_half_angle(foam.half_angle(o0), old_chord, chord));
 
   for (const Index h : {e0, e1, o1}) {
     remove_film(foam, Foam::film_of(h));
@@ -289,7 +314,7 @@ std::array<Index, 2> perform_t3(Foam& foam, Index bubble) {
   for (const Index neighbour : neighbours) {
     add_sides(foam, neighbour, -2);
   }
-  ledger.credit_gains(foam);
+  gas.share_out(foam);
   ++foam.t3_count;
   ++foam.topology;
   return neighbours;
@@ -316,13 +341,13 @@ void slide_two_sided_bubble(Foam& foam, Index bubble, double distance) {
   const Index front = foam.start(ahead);
   const Index back = foam.start(behind);
   const Vec2 across = foam.chord(front == foam.start(e0) ? e0 : e1);
-  const Vec2 back_tangent = foam.tangent(Foam::twin(behind));
   const Vec2 back_chord = foam.chord(behind);
   const Vec2 back_move = move + rotated(across, turn) - across;
   foam.position[Foam::size(front)] += move;
   foam.position[Foam::size(back)] += back_move;
   foam.set_half_angle(ahead, alpha - 0.5 * turn);
-  foam.set_half_angle(behind, prolonged_half_angle(back_tangent, back_chord - back_move));
+  foam.set_half_angle(
+      behind, prolonged_half_angle(foam.half_angle(behind), back_chord, back_chord - back_move));
 }
 
 } // namespace foam

@@ -10,14 +10,14 @@
 
 namespace foam {
 
-/// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain one
-/// differ, and the film is no piece of a container's wall.
+/// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
+/// one differ, and the film is no piece of a container's wall.
 bool can_perform_t1(const Foam& foam, Index film);
 
-/// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along it
-/// part. The new film lies across the old one, has its chord's length, and takes the curvature of
-/// its bubbles' pressures; beside a container's wall it becomes a piece of the wall.
-/// \returns the two bubbles that lost a side (the world among them as kWorld).
+/// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along
+/// it part. The new film lies across the old one, has its chord's length, and takes the curvature
+/// of its bubbles' pressures; beside a container's wall it becomes a piece of the wall. \returns
+/// the two bubbles that lost a side (the world among them as kWorld).
 std::array<Index, 2> perform_t1(Foam& foam, Index film);
 
 /// Whether the bubble has three sides and its neighbours can spare one each.

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/foam.h"
+
+namespace foam {
+
+/// Where the bubbles' target areas come from.
+enum class TargetAreas {
+  Initial, ///< each bubble's area in the initial mesh (thesis 4.5.3)
+  Uniform, ///< the mean of those for every bubble
+  Array    ///< given, one per point
+};
+
+struct BuildOptions {
+  Boundary boundary = Boundary::Free;
+  /// The torus (cm); without one, the points' bounds grown by half a mean spacing on every side, with
+  /// the mean spacing √(area per point) of the box so grown.
+  std::optional<Box> periodic_box;
+  TargetAreas target_areas = TargetAreas::Initial;
+  /// cm², one per point, > 0; on a torus and in a container they must add up to its area.
+  std::vector<double> target_area_array;
+  double surface_tension = 0.25; ///< γ, N/cm, > 0
+  /// How far the tips of the fins (thesis 4.5.3, s in the formula for x_free) stand out from the
+  /// boundary, cm; 0 stands for 1.5 mean spacings, √(area of the triangles per point). No fin is
+  /// longer than 1.5 times its edge.
+  double fin_size = 0;
+};
+
+/// The initial foam of a set of points: one bubble per point, with the point's index as its id, one
+/// junction per Delaunay triangle at its barycentre, one film per Delaunay edge, straight, pressures
+/// 0 (thesis 4.5.3). For a free or fixed boundary each edge of the triangulation's outline has a
+/// junction on the world, at the barycentre of the thesis's fin. The outline is the points' hull,
+/// less the flat triangles on it that see their outer edge under more than 109°: they would make
+/// bubbles many spacings long. Every bubble has a positive area: where barycentres do not achieve
+/// that, incentres take their place. Not in equilibrium yet.
+///
+/// A function of the points and options alone. Points outside of a torus's box are wrapped into it.
+/// \param points cm, at least 3, finite, distinct (on a torus modulo its periods), not all on a line
+/// (but on a torus they may be).
+/// \throws FoamError naming the cause and the offending value.
+Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options);
+
+} // namespace foam

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One film's share of the foam's Lagrangian
+//
+//   L(x, α, p) = Σ_films T·l − Σ_bubbles p·(A − A^τ),   T = 2γ,
+//
+// that is φ = T·l(d, α) − q·S(d, α) − q·½ a×b, with q = p_left − p_right, the film's ends a and b,
+// its chord d = |b − a| and its segment area S: its stationary points are the foam's equilibria.
+// ∂φ/∂α = 0 is the Laplace–Young law 2T sin α/d = q, the sum of ∂φ/∂x over a junction's films is
+// Plateau's balance of tensions, that of ∂φ/∂p over a bubble's films its area.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "geometry/arc.h"
+
+namespace foam {
+
+/// Derivatives of φ by a film's local unknowns (a_x, a_y, b_x, b_y, p_left, p_right, α), in this
+/// order. The pressures' part of the gradient is left to the bubbles, whose areas are summed as
+/// loops.
+struct FilmLagrangian {
+  static constexpr std::size_t kAngle = 6;
+  std::array<double, 7> gradient{};
+  std::array<std::array<double, 7>, 7> hessian{}; ///< symmetric, both triangles filled
+};
+
+/// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm;
+/// \param tension T = 2γ, N/cm.
+inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double tension) {
+  const double d = norm(chord);
+  const Vec2 u = (1 / d) * chord;
+  const ArcShape s = arc_shape(alpha);
+
+  const double phi_d = tension * s.f - 2 * q * d * s.g;
+  const double phi_alpha = tension * d * s.f1 - q * d * d * s.g1;
+  const double phi_dd = -2 * q * s.g;
+  const double phi_d_alpha = tension * s.f1 - 2 * q * d * s.g1;
+  const double phi_alpha_alpha = tension * d * s.f2 - q * d * d * s.g2;
+  const double area_d = 2 * d * s.g; // of the segment
+  const double area_alpha = d * d * s.g1;
+  // ∂(½ a×b) is ½(D_y, −D_x) at either end, once summed over a bubble's closed loop.
+  const Vec2 polygon{0.5 * chord.y, -0.5 * chord.x};
+
+  FilmLagrangian r;
+  const Vec2 along = phi_d * u;
+  r.gradient = {-along.x - q * polygon.x,
+                -along.y - q * polygon.y,
+                along.x - q * polygon.x,
+                along.y - q * polygon.y,
+                0,
+                0,
+                phi_alpha};
+
+  const double across = phi_d / d;
+  const double xx = phi_dd * u.x * u.x + across * u.y * u.y;
+  const double yy = phi_dd * u.y * u.y + across * u.x * u.x;
+  const double xy = (phi_dd - across) * u.x * u.y;
+  const double half_q = 0.5 * q; // of −q·½ a×b, which couples a_x with b_y and a_y with b_x
+  r.hessian[0] = {xx, xy, -xx, -xy - half_q, 0, 0, -phi_d_alpha * u.x};
+  r.hessian[1] = {xy, yy, -xy + half_q, -yy, 0, 0, -phi_d_alpha * u.y};
+  r.hessian[2] = {-xx, -xy + half_q, xx, xy, 0, 0, phi_d_alpha * u.x};
+  r.hessian[3] = {-xy - half_q, -yy, xy, yy, 0, 0, phi_d_alpha * u.y};
+  r.hessian[6] = {-phi_d_alpha * u.x, -phi_d_alpha * u.y, phi_d_alpha * u.x, phi_d_alpha * u.y,
+                  -area_alpha,        area_alpha,         phi_alpha_alpha};
+  const std::array<double, 7> area{-area_d * u.x + polygon.x,
+                                   -area_d * u.y + polygon.y,
+                                   area_d * u.x + polygon.x,
+                                   area_d * u.y + polygon.y,
+                                   0,
+                                   0,
+                                   area_alpha};
+  for (std::size_t i = 0; i < 7; ++i) {
+    r.hessian[4][i] = r.hessian[i][4] = -area[i];
+    r.hessian[5][i] = r.hessian[i][5] = area[i];
+  }
+  return r;
+}
+
+/// Takes α out of the derivatives: α follows the other unknowns so that ∂φ/∂α stays what Newton's
+/// step makes it, zero (static condensation). \pre ∂²φ/∂α² is safely away from 0.
+inline void eliminate_angle(FilmLagrangian& film) {
+  constexpr std::size_t k = FilmLagrangian::kAngle;
+  const double pivot = film.hessian[k][k];
+  for (std::size_t i = 0; i < k; ++i) {
+    const double factor = film.hessian[i][k] / pivot;
+    film.gradient[i] -= factor * film.gradient[k];
+    for (std::size_t j = 0; j < k; ++j) {
+      film.hessian[i][j] -= factor * film.hessian[k][j];
+    }
+  }
+}
+
+} // namespace foam

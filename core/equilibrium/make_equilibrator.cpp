@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "equilibrium/newton_equilibrator.h"
+#include "junction/junction_equilibrator.h"
+
+namespace foam {
+
+std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
+    throw FoamError("Tolerance must be positive, but is " + std::to_string(options.tolerance));
+  }
+  if (options.maximum_iterations < 1) {
+    throw FoamError("MaximumIterations must be at least 1, but is " +
+                    std::to_string(options.maximum_iterations));
+  }
+  if (options.device == Device::CUDA) {
+    throw FoamError("Device = CUDA, but this build has no CUDA support");
+  }
+  if (options.kind == EquilibratorKind::Junction) {
+    return std::make_unique<JunctionEquilibrator>(options);
+  }
+  return std::make_unique<NewtonEquilibrator>(options);
+}
+
+} // namespace foam

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium/newton_equilibrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "topology/operations.h"
+#include "topology/swap_rule.h"
+
+namespace foam {
+namespace {
+
+constexpr double kLargestTurn = 0.5;      // rad that an arc may turn in one step
+constexpr double kContraction = 0.25;     // what a reused factorisation must achieve
+constexpr double kReuseBelow = 0.1;       // residual from which on reuse is tried
+constexpr double kStationaryBelow = 1e-6; // residual from which on any equilibrium will do
+constexpr double kSmallestStep = 1e-4;    // of a line search
+constexpr int kPatchRings = 3;
+constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
+constexpr int kPatience = 24;            // iterations without progress close to the solution
+constexpr int kLargestSwapCount = 4;     // of one film in one call
+
+/// The unknowns of a region, to return to.
+class Snapshot {
+public:
+  Snapshot(const Foam& foam, const Region& region) : region_(region) {
+    for (const Index j : region.junctions) {
+      step_.junctions.push_back(foam.position[Foam::size(j)]);
+    }
+    for (const Index f : region.films) {
+      step_.angles.push_back(foam.film_angle[Foam::size(f)]);
+    }
+    for (const Index b : region.bubbles) {
+      step_.pressures.push_back(foam.pressure[Foam::size(b)]);
+    }
+  }
+  /// The snapshot plus a fraction of a step.
+  void advance(Foam& foam, const Step& step, double fraction) const {
+    for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
+      foam.position[Foam::size(region_.junctions[i])] =
+          step_.junctions[i] + fraction * step.junctions[i];
+    }
+    for (std::size_t i = 0; i < region_.films.size(); ++i) {
+      foam.film_angle[Foam::size(region_.films[i])] = step_.angles[i] + fraction * step.angles[i];
+    }
+    for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+      foam.pressure[Foam::size(region_.bubbles[i])] =
+          step_.pressures[i] + fraction * step.pressures[i];
+    }
+  }
+  void restore(Foam& foam) const {
+    for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
+      foam.position[Foam::size(region_.junctions[i])] = step_.junctions[i];
+    }
+    for (std::size_t i = 0; i < region_.films.size(); ++i) {
+      foam.film_angle[Foam::size(region_.films[i])] = step_.angles[i];
+    }
+    for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+      foam.pressure[Foam::size(region_.bubbles[i])] = step_.pressures[i];
+    }
+  }
+
+private:
+  const Region& region_;
+  Step step_;
+};
+
+/// The largest fraction ≤ 1 of a step that keeps films and arcs from changing too much at once.
+double longest_step(const Foam& foam, const LagrangianSystem& system, const Step& step) {
+  double fraction = 1;
+  const Region& region = system.region();
+  for (std::size_t i = 0; i < region.films.size(); ++i) {
+    const Index f = region.films[i];
+    const Vec2 chord = foam.chord(2 * f);
+    const double d = norm(chord);
+    const Vec2 change = system.chord_change(foam, f, step);
+    const double growth = dot(chord, change) / d;
+    const double across = std::abs(cross(chord, change)) / d;
+    const double excess = std::max(-growth, across - 0.5 * std::max(growth, 0.0));
+    if (fraction * excess > 0.5 * d) {
+      fraction = 0.5 * d / excess;
+    }
+    const double turn = std::abs(step.angles[i]);
+    if (fraction * turn > kLargestTurn) {
+      fraction = kLargestTurn / turn;
+    }
+    const double room = std::numbers::pi - std::abs(foam.film_angle[Foam::size(f)]);
+    if (fraction * turn > 0.5 * room && step.angles[i] * foam.film_angle[Foam::size(f)] > 0) {
+      fraction = 0.5 * room / turn;
+    }
+  }
+  return fraction;
+}
+
+/// The exact penalty function of a region, T·Σl − Σ_rim p·A + μ·Σ|A − A^τ|: films' energy, less the
+/// work of bubbles whose pressure is held, and the areas' violation.
+class Merit {
+public:
+  Merit(const Foam& foam, const LagrangianSystem& system, const Step& step)
+      : region_(system.region()), mu_(penalty(foam, system, step)) {}
+
+  double operator()(const Foam& foam) const {
+    double length = 0;
+    for (const Index f : region_.films) {
+      length += foam.length(2 * f);
+    }
+    double work = 0;
+    for (const Index b : region_.rim) {
+      work += foam.pressure[Foam::size(b)] * foam.area(b);
+    }
+    return 2 * foam.surface_tension * length - work + mu_ * violation(foam);
+  }
+
+private:
+  double violation(const Foam& foam) const {
+    double sum = 0;
+    for (const Index b : region_.bubbles) {
+      sum += std::abs(foam.area(b) - foam.target_area[Foam::size(b)]);
+    }
+    return sum;
+  }
+
+  /// μ above the largest multiplier before and after the step, and large enough for the step to be
+  /// a direction of descent (Nocedal & Wright, 18.36).
+  double penalty(const Foam& foam, const LagrangianSystem& system, const Step& step) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+      const double p = foam.pressure[Foam::size(region_.bubbles[i])];
+      largest = std::max({largest, std::abs(p), std::abs(p + step.pressures[i])});
+    }
+    double slope = 0; // of the films' energy along the step
+    for (std::size_t i = 0; i < region_.films.size(); ++i) {
+      const Index f = region_.films[i];
+      const Vec2 chord = foam.chord(2 * f);
+      const double d = norm(chord);
+      const ArcShape shape = arc_shape(foam.half_angle(2 * f));
+      slope += shape.f * dot(chord, system.chord_change(foam, f, step)) / d +
+               d * shape.f1 * step.angles[i];
+    }
+    slope *= 2 * foam.surface_tension;
+    const double floor = 1e-3 * foam.surface_tension / foam.mean_spacing();
+    const double descent = slope > 0 ? slope / violation(foam) : 0;
+    return 1.5 * std::max(largest, std::isfinite(descent) ? descent : 0) + floor;
+  }
+
+  const Region& region_;
+  double mu_;
+};
+
+} // namespace
+
+NewtonEquilibrator::NewtonEquilibrator(const EquilibratorOptions& options) : options_(options) {}
+
+void NewtonEquilibrator::forget() {
+  whole_.reset();
+  patch_.reset();
+}
+
+EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
+                                                  const AbortCheck& aborted) {
+  return equilibrate_around(foam, {}, options_.tolerance, t1_length, aborted);
+}
+
+EquilibriumReport NewtonEquilibrator::equilibrate_around(Foam& foam, std::span<const Index> bubbles,
+                                                         double tolerance, double t1_length,
+                                                         const AbortCheck& aborted) {
+  iterations_ = 0;
+  swaps_.assign(foam.film_angle.size(), 0);
+  if (!bubbles.empty()) {
+    std::vector<Index> centre(bubbles.begin(), bubbles.end());
+    relax(
+        foam, patch_,
+        [&](const Foam& f, std::span<const Index> touched) {
+          centre.insert(centre.end(), touched.begin(), touched.end());
+          return patch(f, centre, kPatchRings);
+        },
+        std::max(kPatchTolerance, tolerance), t1_length, aborted);
+    patch_.reset();
+  }
+  const auto outcome = relax(
+      foam, whole_, [](const Foam& f, std::span<const Index>) { return whole_foam(f); }, tolerance,
+      t1_length, aborted);
+  return report(foam, outcome);
+}
+
+EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome) const {
+  foam.report = {.converged = outcome.converged,
+                 .iterations = iterations_,
+                 .max_angle_error = max_angle_error(foam),
+                 .max_area_error = max_area_error(foam),
+                 .residual = outcome.residual.largest()};
+  return foam.report;
+}
+
+const Step& NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate) {
+  if (!whole_.fits(foam)) {
+    whole_.set_up(foam, whole_foam(foam));
+  }
+  if (!whole_.factorised()) {
+    whole_.factorise(foam, true);
+  }
+  return whole_.response(foam, area_rate);
+}
+
+template <class MakeRegion>
+NewtonEquilibrator::Outcome
+NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion& make_region,
+                          double tolerance, double t1_length, const AbortCheck& aborted) {
+  std::vector<Index> touched;
+  double best = std::numeric_limits<double>::infinity();
+  int since_best = 0;
+  Residual residual;
+  bool evaluated = false;
+  while (true) {
+    if (aborted && aborted()) {
+      throw Aborted();
+    }
+    if (!system.fits(foam)) {
+      system.set_up(foam, make_region(foam, touched));
+      evaluated = false;
+    }
+    if (!evaluated) {
+      residual = system.evaluate(foam);
+      evaluated = true;
+    }
+    if (residual.largest() < tolerance) {
+      return {true, residual};
+    }
+    since_best = residual.largest() < 0.5 * best ? 0 : since_best + 1;
+    best = std::min(best, residual.largest());
+    const bool stalled = best < 1e-6 && since_best > kPatience;
+    if (iterations_ >= options_.maximum_iterations || stalled ||
+        !std::isfinite(residual.largest())) {
+      return {false, residual};
+    }
+    ++iterations_;
+    if (reuse_factorisation(foam, system, tolerance, residual)) {
+      continue;
+    }
+    if (!system.factorise(foam, residual.largest() < kStationaryBelow)) {
+      return {false, residual};
+    }
+    const Step& step = system.newton_step(foam);
+    touched = swap_films(foam, system, step, t1_length);
+    if (!touched.empty()) {
+      continue;
+    }
+    if (!search_line(foam, system, step, residual)) {
+      return {false, residual};
+    }
+  }
+}
+
+/// One step with the factorisation at hand, undone unless it contracts.
+bool NewtonEquilibrator::reuse_factorisation(Foam& foam, LagrangianSystem& system, double tolerance,
+                                             Residual& residual) {
+  if (!system.factorised() || system.shifted() || residual.largest() > kReuseBelow) {
+    return false;
+  }
+  const Step& step = system.newton_step(foam);
+  if (longest_step(foam, system, step) < 1) {
+    return false;
+  }
+  const Snapshot before(foam, system.region());
+  before.advance(foam, step, 1);
+  const Residual after = system.evaluate(foam);
+  if (after.largest() < kContraction * residual.largest() || after.largest() < tolerance) {
+    residual = after;
+    return true;
+  }
+  before.restore(foam);
+  residual = system.evaluate(foam);
+  return false;
+}
+
+/// Backtracks along the Newton step until the residual is halved or the merit function falls.
+bool NewtonEquilibrator::search_line(Foam& foam, LagrangianSystem& system, const Step& step,
+                                     Residual& residual) {
+  const Merit merit(foam, system, step);
+  const double before_merit = merit(foam);
+  const Snapshot before(foam, system.region());
+  for (double fraction = longest_step(foam, system, step), smallest = kSmallestStep * fraction;
+       fraction > smallest; fraction *= 0.5) {
+    before.advance(foam, step, fraction);
+    const Residual after = system.evaluate(foam);
+    if (after.largest() < 0.5 * residual.largest() || merit(foam) < before_merit) {
+      residual = after;
+      return true;
+    }
+  }
+  before.restore(foam);
+  return false;
+}
+
+/// Swaps the films that the step shortens further although they are short and pulled shut, the
+/// shortest first and no two at one junction. Each swap of a film in one call asks for it to be
+/// four times shorter, so that no film is swapped back and forth. Three-sided bubbles keep their
+/// sides: they vanish by T2. \returns the bubbles around the swapped films.
+std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, const LagrangianSystem& system,
+                                                  const Step& step, double t1_length) {
+  struct Candidate {
+    double length;
+    Index film;
+  };
+  std::vector<Candidate> candidates;
+  for (const Index f : system.region().films) {
+    const double length = foam.length(2 * f);
+    const int swaps = swaps_[Foam::size(f)];
+    if (swaps < kLargestSwapCount && length <= t1_length * std::pow(0.25, swaps) &&
+        dot(foam.chord(2 * f), system.chord_change(foam, f, step)) < 0) {
+      candidates.push_back({length, f});
+    }
+  }
+  std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
+    return a.length < b.length || (a.length == b.length && a.film < b.film);
+  });
+  const auto spares_a_side = [&](Index b) { return b == kWorld || foam.sides[Foam::size(b)] > 3; };
+  std::vector<Index> touched;
+  std::vector<Index> used;
+  for (const auto& [length, f] : candidates) {
+    const std::array ends{foam.start(2 * f), foam.end(2 * f)};
+    const bool free_ends = std::ranges::find_first_of(used, ends) == used.end();
+    if (free_ends && spares_a_side(foam.left(2 * f)) && spares_a_side(foam.right(2 * f)) &&
+        can_perform_t1(foam, f) && pulled_shut(foam, f)) {
+      perform_t1(foam, f);
+      ++swaps_[Foam::size(f)];
+      used.insert(used.end(), ends.begin(), ends.end());
+      for (const Index j : ends) {
+        for (const Index h : foam.junction_half[Foam::size(j)]) {
+          touched.push_back(foam.left(h));
+        }
+      }
+    }
+  }
+  return touched;
+}
+
+} // namespace foam

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "evolution/event_coarsening.h"
+#include "evolution/frame_coarsening.h"
+
+namespace foam {
+namespace {
+
+void require(bool holds, const char* name, const char* condition, double value) {
+  if (!holds || !std::isfinite(value)) {
+    throw FoamError(std::string(name) + " must be " + condition + ", but is " +
+                    std::to_string(value));
+  }
+}
+
+} // namespace
+
+std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
+  require(options.time_step > 0, "TimeStep", "positive", options.time_step);
+  require(options.permeability >= 0, "Permeability", "at least 0", options.permeability);
+  const ThresholdOptions& t = options.thresholds;
+  require(t.t1_length >= 0, "T1Length", "at least 0", t.t1_length);
+  require(t.t2_area >= 0, "T2Area", "at least 0", t.t2_area);
+  require(t.alpha > 0, "Alpha", "positive", t.alpha);
+  make_equilibrator(options.equilibrator); // checks its options
+  if (options.equilibrator.kind == EquilibratorKind::Junction) {
+    return std::make_unique<FrameCoarsening>(options);
+  }
+  return std::make_unique<EventCoarsening>(options);
+}
+
+} // namespace foam

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "equilibrium/equilibrator.h"
+#include "junction/junction_step.h"
+
+namespace foam {
+
+/// The thesis's own method (B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex
+/// Model, 2010, chapters 3 and 4): every junction in turn is brought nearer to 120° and its bubbles
+/// nearer to their target areas, until the changes no longer change. It is local, stops where its
+/// halting rule says so and not at an equilibrium, cannot express arcs beyond the half circle, and
+/// may diverge; all that is the thesis's.
+///
+/// Topology is left alone: t1_length is not used. The result depends on the foam alone, not on the
+/// number of threads.
+class JunctionEquilibrator final : public Equilibrator {
+public:
+  /// \param threads that a Jacobi sweep may use; 0 stands for all there are.
+  /// \throws FoamError for options out of range.
+  explicit JunctionEquilibrator(const EquilibratorOptions& options, int threads = 0);
+
+  EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override;
+  void forget() override {}
+
+private:
+  /// The largest changes in a sweep (Figure 4.3).
+  struct Maxima {
+    double pressure = 0;  ///< Δp_max, N/cm
+    double position = 0;  ///< Δx_max, cm
+    bool solvable = true; ///< no junction was singular
+
+    void include(const junction::JunctionChange& change);
+  };
+
+  Maxima sweep_jacobi(Foam& foam);
+  Maxima sweep_gauss_seidel(Foam& foam) const;
+  bool halt(const Maxima& now, const Maxima& old) const;
+
+  EquilibratorOptions options_;
+  int threads_;
+  std::vector<junction::JunctionStep> steps_; ///< of the junctions, R in Figure 4.12
+  std::vector<double> pressure_change_;       ///< of the bubbles, P in Figure 4.12
+};
+
+} // namespace foam

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The equations of one junction (thesis 3.1): the areas of its three bubbles and two of its angles
+// against the three pressures and its position. Functions are templates of the mesh, a Foam or what
+// stands for one on another device; it offers start, end, left, right, next_in_bubble, chord,
+// pressure_of, wall and pinned as Foam does, and its arrays junction_half, target_area and
+// surface_tension.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "junction/gauss_jordan.h"
+#include "junction/thesis_film.h"
+#include "mesh/foam.h"
+
+namespace foam::junction {
+
+/// A junction with its three films and bubbles, counter-clockwise. Bubble k lies on the left of
+/// film k, between films k and k + 1.
+struct JunctionStar {
+  std::array<Index, 3> half{};      ///< outgoing
+  std::array<Index, 3> bubble{};    ///< kWorld among them on a free boundary
+  std::array<Vec2, 3> chord{};      ///< e_k = x_k − x, cm
+  std::array<double, 3> pressure{}; ///< of the bubbles, N/cm
+  double surface_tension = 0;       ///< γ, N/cm
+};
+
+/// The quantities that a junction's equations are about.
+struct JunctionSample {
+  std::array<double, 3> area{};  ///< of the bubbles, cm²
+  std::array<double, 3> angle{}; ///< θ_k between films k and k + 1, rad
+};
+
+/// ∇f_j as the thesis writes it, ∂(A_i, A_j, A_k, θ_a, θ_b)/∂(p_i, p_j, p_k, x, y), and f_j.
+struct JunctionSystem {
+  Matrix5 jacobian{};
+  Vector5 deviation{}; ///< what A and θ lack of A^τ and 2π/3
+  std::array<bool, 5> ignored{};
+};
+
+/// The solution of a junction's system.
+struct JunctionStep {
+  std::array<double, 3> pressure{}; ///< Δp of the bubbles, N/cm
+  Vec2 position;                    ///< Δx, cm
+
+  bool finite() const {
+    return std::isfinite(pressure[0] + pressure[1] + pressure[2] + position.x + position.y);
+  }
+};
+
+inline constexpr std::size_t after(std::size_t k) {
+  return (k + 1) % 3;
+}
+inline constexpr std::size_t before(std::size_t k) {
+  return (k + 2) % 3;
+}
+
+template <class Mesh> JunctionStar junction_star(const Mesh& mesh, Index junction) {
+  JunctionStar star;
+  star.half = mesh.junction_half[Foam::size(junction)];
+  star.surface_tension = mesh.surface_tension;
+  for (std::size_t k = 0; k < 3; ++k) {
+    star.bubble[k] = mesh.left(star.half[k]);
+    star.chord[k] = mesh.chord(star.half[k]);
+    star.pressure[k] = mesh.pressure_of(star.bubble[k]);
+  }
+  return star;
+}
+
+/// Half-angle of the junction's film k, bubble k on its left, bubble k − 1 on its right.
+inline double half_angle(const JunctionStar& star, std::size_t k) {
+  return thesis_half_angle(norm(star.chord[k]), star.pressure[k] - star.pressure[before(k)],
+                           star.surface_tension);
+}
+
+/// φ, the angle that turns edge a into edge b counter-clockwise, in [0, 2π) (3.3.3, 3.3.4).
+inline double edge_angle(Vec2 a, Vec2 b) {
+  const double psi = angle_from_to(a, b);
+  return psi < 0 ? psi + 2 * std::numbers::pi : psi;
+}
+
+/// θ = φ − α_j + α_k (3.3.7), with the signs of half-angles that are all seen from the junction.
+inline double film_angle(const JunctionStar& star, std::size_t from, std::size_t to) {
+  return edge_angle(star.chord[from], star.chord[to]) + half_angle(star, from) -
+         half_angle(star, to);
+}
+
+inline std::array<double, 3> film_angles(const JunctionStar& star) {
+  return {film_angle(star, 0, 1), film_angle(star, 1, 2), film_angle(star, 2, 0)};
+}
+
+/// Energy of the films that meet in the junction, 2γ·Σl (3.5.2), N.
+inline double local_energy(const JunctionStar& star) {
+  double length = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    length += arc_length(norm(star.chord[k]), half_angle(star, k));
+  }
+  return 2 * star.surface_tension * length;
+}
+
+/// The orientation invariant (3.5.1): films 0, 1, 2 follow each other counter-clockwise.
+inline bool oriented(const JunctionStar& star) {
+  return film_angle(star, 0, 1) < film_angle(star, 0, 2);
+}
+
+/// A_⌢ (3.3.10) of half-film h on the account of its left bubble, whose pressure is given.
+template <class Mesh> double thesis_segment(const Mesh& mesh, Index h, double left_pressure) {
+  if (mesh.wall(h)) {
+    return 0;
+  }
+  const double chord = norm(mesh.chord(h));
+  const double difference = left_pressure - mesh.pressure_of(mesh.right(h));
+  return segment_area(chord, thesis_half_angle(chord, difference, mesh.surface_tension));
+}
+
+/// Area (3.3.12) of the bubble on the left of h, cm².
+template <class Mesh> double thesis_area(const Mesh& mesh, Index first) {
+  const double pressure = mesh.pressure_of(mesh.left(first));
+  double twice_polygon = 0;
+  double segments = 0;
+  Vec2 at;
+  Index h = first;
+  do {
+    const Vec2 chord = mesh.chord(h);
+    twice_polygon += cross(at, chord);
+    segments += thesis_segment(mesh, h, pressure);
+    at += chord;
+    h = mesh.next_in_bubble(h);
+  } while (h != first);
+  return 0.5 * twice_polygon + segments;
+}
+
+/// Areas and angles with the pressure of bubble k changed by dp, but for what does not depend on
+/// it.
+template <class Mesh>
+JunctionSample vary_pressure(const Mesh& mesh, JunctionStar star, std::size_t k, double dp) {
+  star.pressure[k] += dp;
+  JunctionSample sample;
+  sample.angle = film_angles(star);
+  Index h = star.half[k];
+  do {
+    const double segment = thesis_segment(mesh, h, star.pressure[k]);
+    sample.area[k] += segment;
+    for (const std::size_t other : {after(k), before(k)}) {
+      if (mesh.right(h) == star.bubble[other]) {
+        sample.area[other] -= segment;
+      }
+    }
+    h = mesh.next_in_bubble(h);
+  } while (h != star.half[k]);
+  return sample;
+}
+
+/// Areas and angles with the junction moved, but for what does not depend on its position: of a
+/// bubble's polygon the triangle that has a corner in the junction remains, of its arcs the two
+/// that end there.
+inline JunctionSample vary_position(JunctionStar star, Vec2 move) {
+  std::array<double, 3> segment{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    star.chord[k] -= move;
+    segment[k] = segment_area(norm(star.chord[k]), half_angle(star, k));
+  }
+  JunctionSample sample;
+  sample.angle = film_angles(star);
+  for (std::size_t k = 0; k < 3; ++k) {
+    sample.area[k] =
+        0.5 * cross(star.chord[k], star.chord[after(k)]) + segment[k] - segment[after(k)];
+  }
+  return sample;
+}
+
+/// The two angles that make a junction's system: not the world's, or else not the last (3.4.1).
+inline std::array<std::size_t, 2> angles_in_system(const JunctionStar& star) {
+  if (star.bubble[0] == kWorld) {
+    return {1, 2};
+  }
+  return star.bubble[1] == kWorld ? std::array<std::size_t, 2>{0, 2}
+                                  : std::array<std::size_t, 2>{0, 1};
+}
+
+/// ∇f_j by central differences with step h (3.1.1); the world's row and column are zero (3.4.1).
+template <class Mesh>
+Matrix5 junction_jacobian(const Mesh& mesh, const JunctionStar& star, double h) {
+  const auto angles = angles_in_system(star);
+  Matrix5 jacobian{};
+  const auto set_column = [&](std::size_t c, const JunctionSample& plus,
+                              const JunctionSample& minus) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      jacobian[k][c] = star.bubble[k] == kWorld ? 0 : (plus.area[k] - minus.area[k]) / (2 * h);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      jacobian[3 + k][c] = (plus.angle[angles[k]] - minus.angle[angles[k]]) / (2 * h);
+    }
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (star.bubble[k] != kWorld) {
+      set_column(k, vary_pressure(mesh, star, k, h), vary_pressure(mesh, star, k, -h));
+    }
+  }
+  set_column(3, vary_position(star, {h, 0}), vary_position(star, {-h, 0}));
+  set_column(4, vary_position(star, {0, h}), vary_position(star, {0, -h}));
+  return jacobian;
+}
+
+/// ‖a − b‖_∞, the largest sum of a row.
+inline double row_norm_of_difference(const Matrix5& a, const Matrix5& b) {
+  double largest = 0;
+  for (std::size_t r = 0; r < 5; ++r) {
+    double sum = 0;
+    for (std::size_t c = 0; c < 5; ++c) {
+      sum += std::abs(a[r][c] - b[r][c]);
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+/// How ∇f_j is found: h, δ_error and δ_scale of Figure 4.1.
+struct DifferenceOptions {
+  double step = 0;
+  double tolerance = 0;
+  double minimum_scale = 0;
+};
+
+/// ∇f_j with the step halved until two in a row differ by no more than δ_error (Figure 4.1).
+template <class Mesh>
+Matrix5 adaptive_jacobian(const Mesh& mesh, const JunctionStar& star,
+                          const DifferenceOptions& options) {
+  Matrix5 jacobian{};
+  double error = 2 * options.tolerance;
+  for (double scale = 1; error > options.tolerance && scale > options.minimum_scale; scale *= 0.5) {
+    const Matrix5 old = jacobian;
+    jacobian = junction_jacobian(mesh, star, options.step * scale);
+    error = row_norm_of_difference(jacobian, old);
+  }
+  return jacobian;
+}
+
+/// f_j and ∇f_j. In a junction that is pinned to a container's wall each of its bubbles' pressures
+/// answers for its own area alone, and nothing moves.
+template <class Mesh>
+JunctionSystem junction_system(const Mesh& mesh, Index junction, const JunctionStar& star,
+                               const DifferenceOptions& options) {
+  JunctionSystem system;
+  system.jacobian = adaptive_jacobian(mesh, star, options);
+  for (std::size_t k = 0; k < 3; ++k) {
+    system.ignored[k] = star.bubble[k] == kWorld;
+    if (!system.ignored[k]) {
+      system.deviation[k] =
+          mesh.target_area[Foam::size(star.bubble[k])] - thesis_area(mesh, star.half[k]);
+    }
+  }
+  if (mesh.pinned(junction)) {
+    system.ignored[3] = system.ignored[4] = true;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        system.jacobian[r][c] = r == c ? system.jacobian[r][c] : 0;
+      }
+    }
+  } else {
+    const auto angles = angles_in_system(star);
+    const auto theta = film_angles(star);
+    for (std::size_t k = 0; k < 2; ++k) {
+      system.deviation[3 + k] = 2 * std::numbers::pi / 3 - theta[angles[k]];
+    }
+  }
+  return system;
+}
+
+/// The change z that, to first order, makes areas and angles what they shall be (3.1.7). The thesis
+/// writes ∇f_j·z = −f_j, but in its ∇f_j has the derivatives of A and θ, of which f_j holds the
+/// negatives: the two signs cancel.
+inline JunctionStep solve(const JunctionSystem& system) {
+  const Vector5 z = gauss_jordan(system.jacobian, system.deviation, system.ignored);
+  return {{z[0], z[1], z[2]}, {z[3], z[4]}};
+}
+
+} // namespace foam::junction

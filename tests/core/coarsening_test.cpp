@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coarsening against von Neumann's law and what follows from it exactly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "evolution/coarsening.h"
+#include "foams.h"
+
+namespace foam::test {
+namespace {
+
+/// Thresholds so low that events happen within a millionth of the mean area of where they would be.
+CoarseningOptions fine_options(double time_step) {
+  CoarseningOptions options;
+  options.time_step = time_step;
+  options.thresholds.t1_length = 0.01;
+  options.thresholds.t2_area = 0;
+  return options;
+}
+
+double total_area(const Foam& foam) {
+  double sum = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    sum += foam.has_bubble(b) ? foam.area(b) : 0;
+  }
+  return sum;
+}
+
+TEST(GasTransfer, IsVonNeumannsLawForEveryBubble) {
+  const double permeability = 0.7;
+  for (const Boundary boundary : {Boundary::Free, Boundary::Periodic}) {
+    const Foam foam = random_foam(150, boundary, 2);
+    expect_equilibrium(foam);
+    const double constant = von_neumann_constant(foam.surface_tension, permeability);
+    const auto rate = gas_transfer(foam, permeability);
+    double worst = 0;
+    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+      worst = std::max(worst,
+                       std::abs(rate[Foam::size(b)] - constant * (foam.sides[Foam::size(b)] - 6)));
+    }
+    EXPECT_LT(worst, 1e-8);
+    std::cout << "largest |dA/dt - K(n - 6)| = " << worst << " cm2/s\n";
+  }
+}
+
+TEST(GasTransfer, IsVonNeumannsLawAwayFromAWall) {
+  const Foam foam = random_foam(150, Boundary::Fixed, 2);
+  expect_equilibrium(foam);
+  const auto rate = gas_transfer(foam, 1);
+  EXPECT_NEAR(std::accumulate(rate.begin(), rate.end(), 0.0), 0, 1e-12);
+  const double constant = von_neumann_constant(foam.surface_tension, 1);
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    if (!foam.bubble_on_world(b)) {
+      EXPECT_NEAR(rate[Foam::size(b)], constant * (foam.sides[Foam::size(b)] - 6), 1e-8);
+    }
+  }
+}
+
+TEST(GasTransfer, FreeClusterLosesGasAtItsOuterFilms) {
+  const Foam foam = random_foam(80, Boundary::Free, 5);
+  int outer = 0;
+  for (Index f = 0; f < foam.film_capacity(); ++f) {
+    outer += foam.on_world(2 * f);
+  }
+  const auto rate = gas_transfer(foam, 1);
+  const double constant = von_neumann_constant(foam.surface_tension, 1);
+  EXPECT_NEAR(std::accumulate(rate.begin(), rate.end(), 0.0), -constant * (6 + outer), 1e-7);
+}
+
+TEST(Coarsening, DoubleBubbleLivesItsTime) {
+  Foam foam = double_bubble(0.5, 1);
+  equilibrate(foam);
+  const double lifetime = 0.5 / (4 * von_neumann_constant(0.5, 1));
+  auto coarsening = make_coarsening(fine_options(lifetime / 100));
+  coarsening->restart(foam);
+  int frames = 0;
+  while (coarsening->advance({})) {
+    ++frames;
+    ASSERT_LT(frames, 101);
+    expect_equilibrium(coarsening->foam());
+    expect_valid(coarsening->foam());
+    EXPECT_NEAR(coarsening->foam().area(0), 0.5 * (1 - frames / 100.0), 1e-9);
+    EXPECT_NEAR(coarsening->foam().area(1), 0.5 + 0.5 * (1 - frames / 100.0), 1e-9);
+  }
+  EXPECT_EQ(frames, 99);                           // the hundredth would leave one bubble
+  EXPECT_EQ(coarsening->foam().bubble_count(), 2); // the last foam is kept
+  EXPECT_NEAR(coarsening->foam().time, 0.99 * lifetime, 1e-12);
+}
+
+TEST(Coarsening, TripleBubbleLivesItsTime) {
+  // A1/(3K) with three bubbles, then (A2 − A1)/(4K) with two.
+  BuildOptions options;
+  options.target_areas = TargetAreas::Array;
+  options.target_area_array = {0.6, 0.8, 1.0};
+  Foam foam = build_from_points(std::vector<Vec2>{{0, 0}, {1, 0}, {0.5, 0.9}}, options);
+  equilibrate(foam);
+  const double constant = von_neumann_constant(0.25, 1);
+  const double first = 0.6 / (3 * constant);
+  const double second = 0.2 / (4 * constant);
+  auto coarsening = make_coarsening(fine_options(first / 50));
+  coarsening->restart(foam);
+  double two_since = 0;
+  while (coarsening->advance({})) {
+    expect_equilibrium(coarsening->foam());
+    if (coarsening->foam().bubble_count() == 3) {
+      two_since = coarsening->foam().time;
+    }
+  }
+  EXPECT_NEAR(two_since, first, 1.001 * first / 50);
+  EXPECT_NEAR(coarsening->foam().time, first + second, 1.01 * first / 50);
+}
+
+TEST(Coarsening, SecondMomentOfAreasOnATorus) {
+  // d(ΣA²)/dt = 2K·A_total·(⟨⟨n⟩⟩ − 6) exactly while topology stands still.
+  Foam foam = random_foam(100, Boundary::Periodic, 3);
+  const double step = 1e-4;
+  CoarseningOptions options = fine_options(step);
+  options.thresholds.t1_length = 0;
+  auto coarsening = make_coarsening(options);
+  coarsening->restart(foam);
+  const auto second_moment = [](const Foam& f) {
+    double sum = 0;
+    for (Index b = 0; b < f.bubble_capacity(); ++b) {
+      sum += f.area(b) * f.area(b);
+    }
+    return sum;
+  };
+  double weighted_sides = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    weighted_sides += foam.area(b) * foam.sides[Foam::size(b)];
+  }
+  const double total = total_area(foam);
+  const double before = second_moment(foam);
+  ASSERT_TRUE(coarsening->advance({}));
+  ASSERT_EQ(coarsening->foam().topology, foam.topology);
+  const double constant = von_neumann_constant(foam.surface_tension, 1);
+  const double rate = (second_moment(coarsening->foam()) - before) / step;
+  const double expected = 2 * constant * total * (weighted_sides / total - 6);
+  // The rate is linear in t: half a step of its change, K²·Σ(n − 6)², is the difference's own.
+  double curvature = 0;
+  for (const Index n : foam.sides) {
+    curvature += constant * constant * (n - 6) * (n - 6);
+  }
+  EXPECT_NEAR(rate, expected + curvature * step, 1e-5);
+}
+
+TEST(Coarsening, FortyFreeBubblesToTheLastTwo) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    CoarseningOptions options;
+    options.time_step = 1.0 / 120; // so short that no two of the last four vanish in one frame
+    auto coarsening = make_coarsening(options);
+    coarsening->restart(random_foam(40, Boundary::Free, seed));
+    expect_equilibrium(coarsening->foam());
+    int three = 0;
+    int frame = 0;
+    while (coarsening->advance({})) {
+      const std::string where =
+          "seed " + std::to_string(seed) + " frame " + std::to_string(++frame) + ": ";
+      expect_valid(coarsening->foam(), where);
+      expect_equilibrium(coarsening->foam(), where);
+      three += coarsening->foam().bubble_count() == 3;
+      ASSERT_LT(frame, 3000);
+    }
+    EXPECT_GT(three, 0);
+    EXPECT_EQ(coarsening->foam().bubble_count(), 2);
+  }
+}
+
+TEST(Coarsening, ConservesTheContainersArea) {
+  for (const Boundary boundary : {Boundary::Periodic, Boundary::Fixed}) {
+    const Foam start = random_foam(100, boundary, 7);
+    const double total = total_area(start);
+    auto coarsening = make_coarsening({});
+    coarsening->restart(start);
+    for (int frame = 0; frame < 100; ++frame) {
+      ASSERT_TRUE(coarsening->advance({}));
+      const std::string where = "frame " + std::to_string(frame) + ": ";
+      expect_valid(coarsening->foam(), where);
+      expect_equilibrium(coarsening->foam(), where);
+      EXPECT_NEAR(total_area(coarsening->foam()) / total, 1, 1e-10) << where;
+    }
+    EXPECT_GT(coarsening->foam().t2_count, 10);
+  }
+}
+
+TEST(Coarsening, SlidesTwoSidedBubbles) {
+  CoarseningOptions options;
+  options.two_sided_bubbles = TwoSidedBubbles::Slide;
+  auto coarsening = make_coarsening(options);
+  coarsening->restart(random_foam(60, Boundary::Free, 6));
+  for (int frame = 0; frame < 200 && coarsening->advance({}); ++frame) {
+    expect_valid(coarsening->foam());
+    expect_equilibrium(coarsening->foam());
+  }
+}
+
+TEST(Coarsening, RelativeThresholds) {
+  CoarseningOptions options;
+  options.thresholds.relative = true;
+  auto coarsening = make_coarsening(options);
+  coarsening->restart(random_foam(100, Boundary::Periodic, 8));
+  for (int frame = 0; frame < 60; ++frame) {
+    ASSERT_TRUE(coarsening->advance({}));
+    expect_valid(coarsening->foam());
+    expect_equilibrium(coarsening->foam());
+  }
+}
+
+bool same_bits(const Foam& a, const Foam& b) {
+  return a.position == b.position && a.film_angle == b.film_angle && a.pressure == b.pressure &&
+         a.target_area == b.target_area && a.half_junction == b.half_junction &&
+         a.half_bubble == b.half_bubble && a.t1_count == b.t1_count;
+}
+
+TEST(Coarsening, SameInputSameBitsAlsoBesideOtherThreads) {
+  const auto run = [](Foam* result) {
+    auto coarsening = make_coarsening({});
+    coarsening->restart(random_foam(100, Boundary::Free, 9));
+    for (int frame = 0; frame < 20; ++frame) {
+      coarsening->advance({});
+    }
+    *result = coarsening->foam();
+  };
+  Foam alone;
+  run(&alone);
+  std::array<Foam, 3> beside;
+  {
+    std::vector<std::jthread> threads;
+    for (Foam& foam : beside) {
+      threads.emplace_back(run, &foam);
+    }
+  }
+  for (const Foam& foam : beside) {
+    EXPECT_TRUE(same_bits(foam, alone));
+  }
+}
+
+TEST(Coarsening, RestartFromTheFilmsGivesTheSameBits) {
+  for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
+    auto first = make_coarsening({});
+    first->restart(random_foam(80, boundary, 10));
+    for (int frame = 0; frame < 10; ++frame) {
+      first->advance({});
+    }
+    const FilmSet written = film_set(first->foam());
+    first->restart(foam_of(written));
+    auto second = make_coarsening({});
+    second->restart(foam_of(written));
+    for (int frame = 0; frame < 10; ++frame) {
+      first->advance({});
+      second->advance({});
+      EXPECT_TRUE(same_bits(first->foam(), second->foam()));
+    }
+  }
+}
+
+TEST(Coarsening, AbortLeavesTheFoamAsItWas) {
+  auto coarsening = make_coarsening({});
+  coarsening->restart(random_foam(100, Boundary::Free, 11));
+  coarsening->advance({});
+  const Foam before = coarsening->foam();
+  int asked = 0;
+  EXPECT_THROW(coarsening->advance([&] { return ++asked == 3; }), Aborted);
+  EXPECT_TRUE(same_bits(coarsening->foam(), before));
+  EXPECT_TRUE(coarsening->advance({}));
+}
+
+TEST(Coarsening, RejectsOptionsOutOfRange) {
+  const auto message = [](const CoarseningOptions& options) {
+    try {
+      make_coarsening(options);
+    } catch (const FoamError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CoarseningOptions options;
+  options.time_step = -0.5;
+  EXPECT_NE(message(options).find("TimeStep must be positive, but is -0.5"), std::string::npos);
+  options = {};
+  options.permeability = -2;
+  EXPECT_NE(message(options).find("-2"), std::string::npos);
+  options = {};
+  options.permeability = std::nan("");
+  EXPECT_NE(message(options).find("nan"), std::string::npos);
+  options = {};
+  options.equilibrator.tolerance = 0;
+  EXPECT_NE(message(options).find("Tolerance"), std::string::npos);
+}
+
+} // namespace
+} // namespace foam::test

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "build/from_points.h"
+#include "build/jittered_grid.h"
+#include "equilibrium/equilibrator.h"
+#include "mesh/film_set.h"
+#include "mesh/validate.h"
+
+namespace foam::test {
+
+/// Fails if the mesh or its geometry is not valid.
+inline void expect_valid(const Foam& foam, const std::string& where = {}) {
+  for (const auto& problem : validate(foam)) {
+    ADD_FAILURE() << where << problem;
+  }
+  for (const auto& problem : validate_geometry(foam)) {
+    ADD_FAILURE() << where << problem;
+  }
+}
+
+/// Fails unless the foam is the equilibrium that every frame has to be.
+inline void expect_equilibrium(const Foam& foam, const std::string& where = {}) {
+  EXPECT_TRUE(foam.report.converged) << where << "residual " << foam.report.residual;
+  EXPECT_LT(max_angle_error(foam), 1e-8) << where;
+  EXPECT_LT(max_area_error(foam), 1e-9) << where;
+}
+
+inline void equilibrate(Foam& foam, double tolerance = 1e-9) {
+  EquilibratorOptions options;
+  options.tolerance = tolerance;
+  make_equilibrator(options)->equilibrate(foam, 0.05 * foam.mean_spacing(), {});
+}
+
+/// A disordered foam in equilibrium, from the thesis's jittered grid.
+inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1) {
+  BuildOptions options;
+  options.boundary = boundary;
+  if (boundary == Boundary::Periodic) {
+    const double side = std::ceil(std::sqrt(bubbles));
+    options.periodic_box = Box{0, side, 0, side};
+  }
+  Foam foam = build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
+  equilibrate(foam);
+  return foam;
+}
+
+/// Unit bubbles of line tension 1 around the given points, free, in equilibrium.
+inline Foam unit_cluster(const std::vector<Vec2>& points) {
+  BuildOptions options;
+  options.surface_tension = 0.5;
+  options.target_areas = TargetAreas::Array;
+  options.target_area_array.assign(points.size(), 1.0);
+  Foam foam = build_from_points(points, options);
+  equilibrate(foam, 1e-13);
+  return foam;
+}
+
+/// A double bubble of line tension 1, not in equilibrium: a disc cut by a straight film.
+inline Foam double_bubble(double area_left, double area_right) {
+  FilmSet set;
+  set.surface_tension = 0.5;
+  set.junctions = {{0, -0.5}, {0, 0.5}};
+  set.films = {{0, 1, 0, 1, 0.0, {}}, {1, 0, 0, -1, 1.3, {}}, {0, 1, 1, -1, 1.3, {}}};
+  set.bubbles = {{0, 0.0, area_left}, {1, 0.0, area_right}};
+  return foam_of(set);
+}
+
+} // namespace foam::test

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "build/jittered_grid.h"
+#include "evolution/frame_coarsening.h"
+#include "hand_made.h"
+#include "topology/operations.h"
+
+namespace foam {
+namespace {
+
+/// The thesis's constants (Figure 4.19), with its own equilibrator.
+CoarseningOptions thesis_options() {
+  CoarseningOptions options;
+  options.equilibrator.kind = EquilibratorKind::Junction;
+  return options;
+}
+
+Foam free_foam(Index bubbles, std::uint64_t seed) {
+  return build_from_points(jittered_grid(bubbles, 1, 1, seed), {});
+}
+
+double total_target(const Foam& foam) {
+  double total = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    total += foam.has_bubble(b) ? foam.target_area[Foam::size(b)] : 0;
+  }
+  return total;
+}
+
+void expect_positive_targets(const Foam& foam) {
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    EXPECT_TRUE(!foam.has_bubble(b) || foam.target_area[Foam::size(b)] > 0) << b;
+  }
+}
+
+struct Setting {
+  Boundary boundary;
+  TwoSidedBubbles two_sided;
+  bool energy_decay, orientation_invariant;
+  Sweep sweep;
+};
+
+class Frames : public testing::TestWithParam<Setting> {};
+
+TEST_P(Frames, KeepTheFoamValid) {
+  const Setting setting = GetParam();
+  CoarseningOptions options = thesis_options();
+  options.two_sided_bubbles = setting.two_sided;
+  options.equilibrator.junction.energy_decay = setting.energy_decay;
+  options.equilibrator.junction.orientation_invariant = setting.orientation_invariant;
+  options.equilibrator.junction.sweep = setting.sweep;
+  options.equilibrator.maximum_iterations = 64;
+  BuildOptions build;
+  build.boundary = setting.boundary;
+  FrameCoarsening coarsening(options);
+  coarsening.restart(build_from_points(jittered_grid(40, 1, 1, 3), build));
+  for (int frame = 1; frame <= 30; ++frame) {
+    ASSERT_TRUE(coarsening.advance({}));
+    const Foam& foam = coarsening.foam();
+    expect_valid(foam);
+    expect_positive_targets(foam);
+    EXPECT_NEAR(foam.time, frame / 30.0, 1e-12);
+    EXPECT_GT(foam.report.iterations, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FrameCoarsening, Frames,
+    testing::Values(
+        Setting{Boundary::Free, TwoSidedBubbles::Remove, true, false, Sweep::Jacobi},
+        Setting{Boundary::Free, TwoSidedBubbles::Slide, true, false, Sweep::Jacobi},
+        Setting{Boundary::Free, TwoSidedBubbles::Slide, false, true, Sweep::GaussSeidel},
+        Setting{Boundary::Free, TwoSidedBubbles::Slide, false, false, Sweep::Jacobi},
+        Setting{Boundary::Periodic, TwoSidedBubbles::Slide, true, true, Sweep::GaussSeidel},
+        Setting{Boundary::Periodic, TwoSidedBubbles::Remove, false, false, Sweep::Jacobi},
+        Setting{Boundary::Fixed, TwoSidedBubbles::Slide, true, true, Sweep::Jacobi},
+        Setting{Boundary::Fixed, TwoSidedBubbles::Remove, false, false, Sweep::GaussSeidel}));
+
+TEST(FrameCoarsening, RunsOnUntilADoubleBubbleWouldEnd) {
+  CoarseningOptions options = thesis_options();
+  options.two_sided_bubbles = TwoSidedBubbles::Slide;
+  options.time_step = 0.2;
+  options.equilibrator.maximum_iterations = 32;
+  FrameCoarsening coarsening(options);
+  coarsening.restart(free_foam(12, 1));
+  int frames = 0;
+  while (frames < 2000 && coarsening.advance({})) {
+    expect_valid(coarsening.foam());
+    expect_positive_targets(coarsening.foam());
+    ++frames;
+  }
+  EXPECT_LT(coarsening.foam().bubble_count(), 12);
+  EXPECT_GT(coarsening.foam().t2_count, 0);
+}
+
+TEST(FrameCoarsening, TargetsFollowVonNeumann) { // (3.7.1)
+  CoarseningOptions options = thesis_options();
+  options.thresholds.t1_length = options.thresholds.t2_area = 0; // no events
+  const Foam start = free_foam(25, 2);
+  FrameCoarsening coarsening(options);
+  coarsening.restart(start);
+  ASSERT_TRUE(coarsening.advance({}));
+  const double per_side = 2 * std::numbers::pi / 3 * 0.25 / 30;
+  for (Index b = 0; b < start.bubble_capacity(); ++b) {
+    const auto i = Foam::size(b);
+    EXPECT_NEAR(coarsening.foam().target_area[i],
+                start.target_area[i] + per_side * (start.sides[i] - 6), 1e-14);
+  }
+}
+
+TEST(FrameCoarsening, ContainersAndTorusesKeepTheirGas) {
+  for (const Boundary boundary : {Boundary::Periodic, Boundary::Fixed}) {
+    CoarseningOptions options = thesis_options();
+    options.thresholds.t1_length = options.thresholds.t2_area = 0;
+    BuildOptions build;
+    build.boundary = boundary;
+    const Foam start = build_from_points(jittered_grid(36, 1, 0.5, 2), build);
+    FrameCoarsening coarsening(options);
+    coarsening.restart(start);
+    for (int frame = 0; frame < 3; ++frame) {
+      ASSERT_TRUE(coarsening.advance({}));
+    }
+    EXPECT_NEAR(total_target(coarsening.foam()), total_target(start), 1e-12);
+  }
+}
+
+/// A honeycomb with a bubble that floats on a film, small enough to vanish.
+Foam with_floating_bubble() {
+  Foam foam = honeycomb(6, 3);
+  while (foam.sides[8] > 2) {
+    perform_t1(foam, Foam::film_of(foam.bubble_half[8]));
+  }
+  foam.target_area[8] = 0.01;
+  return foam;
+}
+
+TEST(FrameCoarsening, TwoSidedBubblesAreRemovedOrSlide) {
+  for (const TwoSidedBubbles choice : {TwoSidedBubbles::Remove, TwoSidedBubbles::Slide}) {
+    CoarseningOptions options = thesis_options();
+    options.two_sided_bubbles = choice;
+    options.thresholds.t1_length = 0.025;
+    Foam foam = with_floating_bubble();
+    FrameCoarsening coarsening(options);
+    coarsening.restart(foam);
+    ASSERT_TRUE(coarsening.advance({}));
+    const Foam& after = coarsening.foam();
+    expect_valid(after);
+    if (choice == TwoSidedBubbles::Remove) {
+      EXPECT_EQ(after.t3_count, 1);
+      EXPECT_FALSE(after.has_bubble(8));
+    } else { // became three-sided by a T1 in the corner that it slid to
+      EXPECT_EQ(after.t3_count, 0);
+      EXPECT_GT(after.t1_count, foam.t1_count);
+      EXPECT_TRUE(!after.has_bubble(8) || after.sides[8] == 3);
+    }
+  }
+}
+
+/// Two unit bubbles, the second with the given target area.
+Foam double_bubble(double target) {
+  FilmSet set;
+  set.surface_tension = 0.25;
+  set.junctions = {{0, -0.5}, {0, 0.5}};
+  set.bubbles = {{0, 0, 1}, {1, 0, target}};
+  set.films = {{0, 1, 0, 1, 0, {}}, {1, 0, 0, -1, 1.5, {}}, {0, 1, 1, -1, 1.5, {}}};
+  return foam_of(set);
+}
+
+TEST(FrameCoarsening, ADoubleBubbleDoesNotEnd) {
+  FrameCoarsening coarsening(thesis_options());
+  const Foam start = double_bubble(0.06); // two sides short of six lose 4K·Δt = 0.07
+  coarsening.restart(start);
+  EXPECT_FALSE(coarsening.advance({}));
+  EXPECT_EQ(coarsening.foam().time, 0);
+  EXPECT_EQ(coarsening.foam().target_area, start.target_area);
+  coarsening.restart(double_bubble(1));
+  EXPECT_TRUE(coarsening.advance({}));
+}
+
+TEST(FrameCoarsening, AbortLeavesTheFoamAsItWas) {
+  FrameCoarsening coarsening(thesis_options());
+  const Foam start = free_foam(30, 5);
+  coarsening.restart(start);
+  EXPECT_THROW(coarsening.advance([] { return true; }), Aborted);
+  EXPECT_EQ(coarsening.foam().target_area, start.target_area);
+  EXPECT_EQ(coarsening.foam().position, start.position);
+  EXPECT_EQ(coarsening.foam().topology, start.topology);
+  EXPECT_EQ(coarsening.foam().time, 0);
+}
+
+} // namespace
+} // namespace foam

@@ -159,29 +159,33 @@ void NewtonEquilibrator::forget() {
 
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
-  return equilibrate_around(foam, {}, options_.tolerance, t1_length, aborted);
+  return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
 }
 
-EquilibriumReport NewtonEquilibrator::equilibrate_around(Foam& foam, std::span<const Index> bubbles,
-                                                         double tolerance, double t1_length,
-                                                         const AbortCheck& aborted) {
+EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
+                                                     const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.assign(foam.film_angle.size(), 0);
-  if (!bubbles.empty()) {
-    std::vector<Index> centre(bubbles.begin(), bubbles.end());
-    relax(
-        foam, patch_,
-        [&](const Foam& f, std::span<const Index> touched) {
-          centre.insert(centre.end(), touched.begin(), touched.end());
-          return patch(f, centre, kPatchRings);
-        },
-        std::max(kPatchTolerance, tolerance), t1_length, aborted);
-    patch_.reset();
-  }
   const auto outcome = relax(
       foam, whole_, [](const Foam& f, std::span<const Index>) { return whole_foam(f); }, tolerance,
       t1_length, aborted);
   return report(foam, outcome);
+}
+
+bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles, double t1_length,
+                                     const AbortCheck& aborted) {
+  iterations_ = 0;
+  swaps_.assign(foam.film_angle.size(), 0);
+  patch_.reset();
+  std::vector<Index> centre(bubbles.begin(), bubbles.end());
+  return relax(
+             foam, patch_,
+             [&](const Foam& f, std::span<const Index> touched) {
+               centre.insert(centre.end(), touched.begin(), touched.end());
+               return patch(f, centre, kPatchRings);
+             },
+             std::max(kPatchTolerance, options_.tolerance), t1_length, aborted)
+      .converged;
 }
 
 EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome) const {
@@ -201,6 +205,14 @@ const Step& NewtonEquilibrator::response(const Foam& foam, const std::vector<dou
     whole_.factorise(foam, true);
   }
   return whole_.response(foam, area_rate);
+}
+
+const Step& NewtonEquilibrator::patch_response(const Foam& foam,
+                                               const std::vector<double>& area_rate) {
+  if (!patch_.factorised()) {
+    patch_.factorise(foam, true);
+  }
+  return patch_.response(foam, area_rate);
 }
 
 template <class MakeRegion>

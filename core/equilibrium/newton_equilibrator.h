@@ -24,19 +24,24 @@ public:
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override;
   void forget() override;
 
-  /// The same to another tolerance, for a foam that is far from equilibrium only around some
-  /// bubbles (or none): a patch of a few rings around them first, then all.
-  EquilibriumReport equilibrate_around(Foam& foam, std::span<const Index> bubbles, double tolerance,
-                                       double t1_length, const AbortCheck& aborted);
+  /// The same to another tolerance.
+  EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length,
+                                   const AbortCheck& aborted);
+
+  /// Relaxes a patch of a few rings around some bubbles, roughly: what lies beyond has not moved.
+  /// \returns whether it found an equilibrium of the patch.
+  bool relax_patch(Foam& foam, std::span<const Index> bubbles, double t1_length,
+                   const AbortCheck& aborted);
+  /// Iterations of the last call.
+  int iterations() const { return iterations_; }
 
   /// How a foam in equilibrium moves while its target areas change (LagrangianSystem::response),
   /// in the order of region().
   const Step& response(const Foam& foam, const std::vector<double>& area_rate);
   const Region& region() const { return whole_.region(); }
-  /// How a step of the whole foam changes the chord of a film, cm.
-  Vec2 chord_change(const Foam& foam, Index film, const Step& step) const {
-    return whole_.chord_change(foam, film, step);
-  }
+  /// The same of the last patch, in the order of patch_region().
+  const Step& patch_response(const Foam& foam, const std::vector<double>& area_rate);
+  const Region& patch_region() const { return patch_.region(); }
 
 private:
   struct Outcome {

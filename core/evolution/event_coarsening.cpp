@@ -17,8 +17,8 @@ constexpr double kFinestStep = 1.0 / 64; // of a time step, towards a predicted 
 constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets smaller, no T2 area is
 constexpr double kSmallestLength = 1e-4; // of the mean spacing: no T1 length is shorter
 constexpr double kLargestChange = 0.25;  // of a film's chord in one step between events
-constexpr double kToleranceBetweenEvents = 1e-6; // within a frame; its end meets the user's
-constexpr int kLargestCascade = 64;              // rounds of events and relaxation at one instant
+constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
+constexpr int kLargestCascade = 64;        // rounds of events and relaxation at one instant
 
 double smallest_area(const Foam& foam) {
   const double spacing = foam.mean_spacing();
@@ -48,6 +48,22 @@ bool spares_sides(const Foam& foam, Index film) {
 
 } // namespace
 
+void EventCoarsening::Motion::take(const Region& region, const Step& response) {
+  for (std::size_t i = 0; i < region.junctions.size(); ++i) {
+    junctions[Foam::size(region.junctions[i])] = response.junctions[i];
+  }
+  for (std::size_t i = 0; i < region.films.size(); ++i) {
+    angles[Foam::size(region.films[i])] = response.angles[i];
+  }
+  for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
+    pressures[Foam::size(region.bubbles[i])] = response.pressures[i];
+  }
+}
+
+Vec2 EventCoarsening::Motion::chord_rate(const Foam& foam, Index film) const {
+  return junctions[Foam::size(foam.end(2 * film))] - junctions[Foam::size(foam.start(2 * film))];
+}
+
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
     : options_(options), newton_(options.equilibrator) {}
 
@@ -64,143 +80,140 @@ Thresholds EventCoarsening::limits() const {
   return t;
 }
 
+void EventCoarsening::undo(State state) {
+  foam_ = std::move(state.foam);
+  motion_ = std::move(state.motion);
+  patience_ = std::move(state.patience);
+  newton_.forget();
+}
+
 bool EventCoarsening::advance(const AbortCheck& aborted) {
-  const Foam before = foam_;
-  const std::vector<double> patience = patience_;
-  const auto undo = [&] {
-    foam_ = before;
-    patience_ = patience;
-    newton_.forget();
-  };
+  const State before{foam_, motion_, patience_};
   iterations_ = 0;
   try {
-    if (!integrate(aborted)) {
-      undo();
+    bool possible = integrate(false, aborted);
+    if (!possible || !foam_.report.converged) {
+      undo(before);
+      possible = integrate(true, aborted);
+    }
+    if (!possible) {
+      undo(before);
       return false;
     }
   } catch (const Aborted&) {
-    undo();
+    undo(before);
     throw;
   }
-  foam_.time = before.time + options_.time_step;
+  foam_.time = before.foam.time + options_.time_step;
   foam_.report.iterations = iterations_;
   return true;
 }
 
-bool EventCoarsening::integrate(const AbortCheck& aborted) {
+bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
+  careful_ = careful;
+  predict_whole();
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(aborted);
   }
-  std::vector<char> shrinking(foam_.film_angle.size(), 0);
-  if (!settle_events(shrinking, aborted)) {
+  if (!settle_events(aborted)) {
     return false;
   }
   for (double left = options_.time_step; left > 0;) {
-    const Thresholds limit = limits();
-    const std::vector<double> rates = area_rates(foam_, options_.permeability);
-    const Step& response = newton_.response(foam_, rates);
-    const double step = std::min(left, time_to_next_event(rates, response, limit));
-    for (const Index f : newton_.region().films) {
-      shrinking[Foam::size(f)] =
-          dot(foam_.chord(2 * f), newton_.chord_change(foam_, f, response)) < 0;
-    }
-    move(step, rates, response);
+    const double step = std::min(left, time_to_next_event());
+    move(step);
     left = step < left ? left - step : 0;
-    relax_around({}, tolerance_between_events(), aborted);
-    if (!settle_events(shrinking, aborted)) {
+    if (careful_) {
+      relax_whole(kCarefulTolerance, aborted);
+      predict_whole();
+    }
+    if (!settle_events(aborted)) {
       return false;
     }
   }
-  relax_around({}, options_.equilibrator.tolerance, aborted);
+  relax_whole(options_.equilibrator.tolerance, aborted);
   return true;
 }
 
-double EventCoarsening::tolerance_between_events() const {
-  return std::max(options_.equilibrator.tolerance, kToleranceBetweenEvents);
+void EventCoarsening::predict_whole() {
+  motion_.junctions.assign(foam_.position.size(), {});
+  motion_.angles.assign(foam_.film_angle.size(), 0.0);
+  motion_.pressures.assign(foam_.pressure.size(), 0.0);
+  motion_.areas = area_rates(foam_, options_.permeability);
+  const Step& response = newton_.response(foam_, motion_.areas);
+  motion_.take(newton_.region(), response);
 }
 
-double EventCoarsening::time_to_next_event(const std::vector<double>& rates, const Step& response,
-                                           const Thresholds& limit) const {
+void EventCoarsening::move(double time) {
+  for (std::size_t j = 0; j < foam_.position.size(); ++j) {
+    foam_.position[j] += time * motion_.junctions[j];
+  }
+  for (std::size_t f = 0; f < foam_.film_angle.size(); ++f) {
+    foam_.film_angle[f] += time * motion_.angles[f];
+  }
+  for (std::size_t b = 0; b < foam_.pressure.size(); ++b) {
+    foam_.pressure[b] += time * motion_.pressures[b];
+    foam_.target_area[b] += time * motion_.areas[b];
+  }
+}
+
+double EventCoarsening::time_to_next_event() const {
+  const Thresholds limit = limits();
   double time = std::numeric_limits<double>::infinity();
-  for (const Index b : newton_.region().bubbles) {
-    const double rate = rates[Foam::size(b)];
-    if (rate < 0) {
+  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    const double rate = motion_.areas[Foam::size(b)];
+    if (foam_.has_bubble(b) && rate < 0) {
       const double excess = foam_.target_area[Foam::size(b)] - collapse_area(b, limit);
       time = std::min(time, std::max(excess, 0.0) / -rate);
     }
   }
   double t1_time = std::numeric_limits<double>::infinity();
-  const Region& region = newton_.region();
-  for (std::size_t i = 0; i < region.films.size(); ++i) {
-    const Index f = region.films[i];
+  for (Index f = 0; f < foam_.film_capacity(); ++f) {
+    if (!foam_.has_film(f) || foam_.wall(2 * f)) {
+      continue;
+    }
     const Vec2 chord = foam_.chord(2 * f);
     const double d = norm(chord);
-    const Vec2 change = newton_.chord_change(foam_, f, response);
+    const Vec2 change = motion_.chord_rate(foam_, f);
     const ArcShape shape = arc_shape(foam_.half_angle(2 * f));
     const double length = d * shape.f;
-    const double growth = shape.f * dot(chord, change) / d + d * shape.f1 * response.angles[i];
+    const double growth =
+        shape.f * dot(chord, change) / d + d * shape.f1 * motion_.angles[Foam::size(f)];
     if (growth < 0 && length > limit.t1_length && spares_sides(foam_, f)) {
       t1_time = std::min(t1_time, (length - limit.t1_length) / -growth);
     }
-    if (norm(change) > 0) {
+    if (careful_ && norm(change) > 0) {
       t1_time = std::min(t1_time, kLargestChange * d / norm(change));
     }
   }
   return std::min(time, std::max(t1_time, kFinestStep * options_.time_step));
 }
 
-void EventCoarsening::move(double time, const std::vector<double>& rates, const Step& response) {
-  const Region& region = newton_.region();
-  for (std::size_t i = 0; i < region.junctions.size(); ++i) {
-    foam_.position[Foam::size(region.junctions[i])] += time * response.junctions[i];
-  }
-  for (std::size_t i = 0; i < region.films.size(); ++i) {
-    foam_.film_angle[Foam::size(region.films[i])] += time * response.angles[i];
-  }
-  for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
-    const auto b = Foam::size(region.bubbles[i]);
-    foam_.pressure[b] += time * response.pressures[i];
-    foam_.target_area[b] += time * rates[b];
-  }
+void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {
+  const double goal = std::max(tolerance, options_.equilibrator.tolerance);
+  iterations_ += newton_.equilibrate_to(foam_, goal, limits().t1_length, aborted).iterations;
 }
 
-void EventCoarsening::relax_around(const std::vector<Index>& bubbles, double tolerance,
-                                   const AbortCheck& aborted) {
-  iterations_ +=
-      newton_.equilibrate_around(foam_, bubbles, tolerance, limits().t1_length, aborted).iterations;
+/// After an event at these bubbles. \returns whether an equilibrium was found.
+bool EventCoarsening::relax_around(std::span<const Index> bubbles, const AbortCheck& aborted) {
+  bool converged = newton_.relax_patch(foam_, bubbles, limits().t1_length, aborted);
+  iterations_ += newton_.iterations();
+  if (careful_) {
+    relax_whole(kCarefulTolerance, aborted);
+    converged = foam_.report.converged;
+    predict_whole();
+  } else {
+    motion_.areas = area_rates(foam_, options_.permeability);
+    const Step& response = newton_.patch_response(foam_, motion_.areas);
+    motion_.take(newton_.patch_region(), response);
+  }
+  return converged;
 }
 
-/// Performs what is due at this instant, relaxes, and looks again. \returns false if a bubble would
-/// vanish that cannot.
-bool EventCoarsening::settle_events(const std::vector<char>& shrinking, const AbortCheck& aborted) {
-  for (int round = 0; round < kLargestCascade; ++round) {
-    const Thresholds limit = limits();
-    const auto small = [&](const Foam& foam, Index b) {
-      return foam.target_area[Foam::size(b)] <= limit.t2_area * (1 + kReached);
-    };
-    CollapseRules rules;
-    rules.t1 = [&](const Foam& foam, Index f) {
-      return round == 0 && shrinking[Foam::size(f)] &&
-             foam.length(2 * f) <= limit.t1_length * (1 + kReached) && spares_sides(foam, f) &&
-             pulled_shut(foam, f);
-    };
-    rules.t2 = small;
-    rules.t3 = small;
-    const CascadeResult result = topological_cascade(foam_, rules);
-    if (result.changed()) {
-      relax_around(result.bubbles, tolerance_between_events(), aborted);
-    } else if (!reduce_remnants(aborted)) {
-      break;
-    }
-  }
-  const double end = limits().t2_area * (1 + kReached);
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
-    if (foam_.has_bubble(b) && foam_.sides[Foam::size(b)] <= 3 &&
-        foam_.target_area[Foam::size(b)] <= end) {
-      return false;
-    }
-  }
-  return true;
+/// Whether the film is to be swapped: short, shrinking and pulled shut.
+bool EventCoarsening::film_is_due(Index film, const Thresholds& limit) const {
+  return foam_.length(2 * film) <= limit.t1_length * (1 + kReached) &&
+         dot(foam_.chord(2 * film), motion_.chord_rate(foam_, film)) < 0 &&
+         spares_sides(foam_, film) && pulled_shut(foam_, film);
 }
 
 /// The area at which the bubble is to give way.
@@ -208,6 +221,40 @@ double EventCoarsening::collapse_area(Index bubble, const Thresholds& limit) con
   return foam_.sides[Foam::size(bubble)] <= 3
              ? limit.t2_area
              : std::max(limit.t2_area * patience_[Foam::size(bubble)], smallest_area(foam_));
+}
+
+/// Performs what is due at this instant, relaxes, and looks again. \returns false if a bubble would
+/// vanish that cannot.
+bool EventCoarsening::settle_events(const AbortCheck& aborted) {
+  for (int round = 0; round < kLargestCascade; ++round) {
+    const Thresholds limit = limits();
+    const auto small = [&](const Foam& foam, Index b) {
+      return foam.target_area[Foam::size(b)] <= limit.t2_area * (1 + kReached);
+    };
+    CollapseRules rules;
+    rules.t1 = [&](const Foam&, Index f) { return round == 0 && film_is_due(f, limit); };
+    rules.t2 = small;
+    rules.t3 = small;
+    const CascadeResult result = topological_cascade(foam_, rules);
+    if (result.changed()) {
+      relax_around(result.bubbles, aborted);
+    } else if (!reduce_remnants(aborted)) {
+      break;
+    }
+  }
+  return !cannot_go_on();
+}
+
+/// Whether a bubble is at its end, but cannot be removed.
+bool EventCoarsening::cannot_go_on() const {
+  const double end = limits().t2_area * (1 + kReached);
+  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    if (foam_.has_bubble(b) && foam_.sides[Foam::size(b)] <= 3 &&
+        foam_.target_area[Foam::size(b)] <= end) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Takes a side from every bubble that is at the T2 area with four or five, so that three are left
@@ -229,17 +276,15 @@ bool EventCoarsening::reduce_remnants(const AbortCheck& aborted) {
 /// is none, the bubble may shrink to a quarter before the next attempt.
 bool EventCoarsening::reduce_remnant(Index bubble, const AbortCheck& aborted) {
   const auto i = Foam::size(bubble);
-  const Foam before = foam_;
-  for (const Index film : films_to_swap(before, bubble)) {
+  const State before{foam_, motion_, patience_};
+  for (const Index film : films_to_swap(before.foam, bubble)) {
     std::vector<Index> around{foam_.left(2 * film), foam_.right(2 * film)};
     perform_t1(foam_, film);
     around.insert(around.end(), {foam_.left(2 * film), foam_.right(2 * film)});
-    relax_around(around, tolerance_between_events(), aborted);
-    if (foam_.report.converged && foam_.sides[i] < before.sides[i]) {
+    if (relax_around(around, aborted) && foam_.sides[i] < before.foam.sides[i]) {
       return true;
     }
-    foam_ = before;
-    newton_.forget();
+    undo(before);
   }
   patience_[i] *= 0.25;
   return false;
@@ -266,7 +311,7 @@ void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
         around.push_back(bubble);
       }
     }
-    relax_around(around, tolerance_between_events(), aborted);
+    relax_around(around, aborted);
   }
 }
 

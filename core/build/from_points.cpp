@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <tuple>
 
@@ -85,6 +86,17 @@ void check_distinct(std::span<const Vec2> places, std::span<const Vec2> points) 
                   " at " + number(points[j]) + " are the same point of the torus");
 }
 
+void check_not_on_a_line(std::span<const Vec2> points) {
+  const Vec2 a = points[0];
+  const Vec2 b = *std::ranges::max_element(points, {}, [&](Vec2 p) { return norm(p - a); });
+  const double widest = std::ranges::max(
+      points | std::views::transform([&](Vec2 p) { return std::abs(cross(b - a, p - a)); }));
+  if (!(widest > 1e-12 * dot(b - a, b - a))) { // on a line but for rounding
+    throw FoamError("all " + to_string(points.size()) + " points lie on the line through " +
+                    number(points[0]) + " and " + number(points[1]));
+  }
+}
+
 Box bounds(std::span<const Vec2> points) {
   Box box{points[0].x, points[0].x, points[0].y, points[0].y};
   for (const Vec2 p : points) {
@@ -139,6 +151,7 @@ Foam build_on_torus(std::span<const Vec2> points, const std::optional<Box>& peri
   check_box(box);
   const TorusPoints sites = torus_points(points, box);
   check_distinct(sites.snapped, points);
+  check_not_on_a_line(points);
   auto triangles = triangulate_torus(sites);
 
   std::vector<Face> faces;
@@ -173,14 +186,9 @@ Vec2 fin_tip(Vec2 q, Vec2 r, double size) {
 
 Foam build_on_plane(std::span<const Vec2> points, double fin_size) {
   check_distinct(points, points);
+  check_not_on_a_line(points);
   const auto triangles = triangulate_plane(points);
   const double area = covered_area(points, triangles);
-  const Box box = bounds(points);
-  const double diagonal = std::hypot(box.width(), box.height());
-  if (!(area > 1e-12 * diagonal * diagonal)) { // on a line but for rounding
-    throw FoamError("all " + to_string(points.size()) + " points lie on the line through " +
-                    number(points[0]) + " and " + number(points[1]));
-  }
   const double mean_spacing = std::sqrt(area / static_cast<double>(points.size()));
   const double fin = fin_size > 0 ? fin_size : 1.5 * mean_spacing;
 

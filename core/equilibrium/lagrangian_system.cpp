@@ -281,6 +281,30 @@ const Step& LagrangianSystem::response(const Foam& foam, const std::vector<doubl
   return response_;
 }
 
+/// Takes out of a step what moves the foam as a whole: it costs nothing, so that rounding decides
+/// how much of it there is. On a torus that is a translation, for a free foam a rotation too.
+void LagrangianSystem::remove_rigid_motion(const Foam& foam, std::vector<Vec2>& step) const {
+  const double count = static_cast<double>(step.size());
+  Vec2 translation;
+  Vec2 centre;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    translation += (1 / count) * step[i];
+    centre += (1 / count) * foam.position[Foam::size(region_.junctions[i])];
+  }
+  double moment = 0;
+  double inertia = 0;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const Vec2 r = foam.position[Foam::size(region_.junctions[i])] - centre;
+    moment += cross(r, step[i]);
+    inertia += dot(r, r);
+  }
+  const double rotation = foam.boundary == Boundary::Free ? moment / inertia : 0;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const Vec2 r = foam.position[Foam::size(region_.junctions[i])] - centre;
+    step[i] -= translation + rotation * left_normal(r);
+  }
+}
+
 Vec2 LagrangianSystem::displacement(Index junction, const Step& step) const {
   const Index unknown = junction_unknown_[Foam::size(junction)];
   return unknown == kNone ? Vec2{} : step.junctions[Foam::size(unknown / 2)];
@@ -298,7 +322,10 @@ void LagrangianSystem::extract(const Foam& foam, Step& step) {
   step.pressures.assign(rhs_.begin() + pressure_start_,
                         rhs_.begin() + pressure_start_ +
                             static_cast<std::ptrdiff_t>(region_.bubbles.size()));
-  if (foam.boundary != Boundary::Free && region_.rim.empty()) {
+  if (region_.whole && foam.boundary != Boundary::Fixed) {
+    remove_rigid_motion(foam, step.junctions);
+  }
+  if (region_.whole && foam.boundary != Boundary::Free) {
     // Only differences of pressure act in a closed container; their mean stays.
     double mean = 0;
     for (const double p : step.pressures) {

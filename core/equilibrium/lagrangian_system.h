@@ -78,6 +78,7 @@ private:
   void build_pattern();
   bool assemble(const Foam& foam, double shift);
   void extract(const Foam& foam, Step& step);
+  void remove_rigid_motion(const Foam& foam, std::vector<Vec2>& step) const;
   double pressure_jump(const Foam& foam, Index film) const;
 
   Region region_;

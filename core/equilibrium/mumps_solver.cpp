@@ -40,6 +40,7 @@ public:
     mumps_.irn = rows_.data();
     mumps_.jcn = columns_.data();
     control(7) = pattern.size() < kLarge ? kAmd : kScotch;
+    control(6) = 0;   // no column permutation from values, which are not there yet
     control(14) = 50; // per cent of working space to spare
     call(kAnalyse);
   }

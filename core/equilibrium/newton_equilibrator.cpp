@@ -201,17 +201,13 @@ const Step& NewtonEquilibrator::response(const Foam& foam, const std::vector<dou
   if (!whole_.fits(foam)) {
     whole_.set_up(foam, whole_foam(foam));
   }
-  if (!whole_.factorised()) {
-    whole_.factorise(foam, true);
-  }
+  whole_.factorise(foam, true);
   return whole_.response(foam, area_rate);
 }
 
 const Step& NewtonEquilibrator::patch_response(const Foam& foam,
                                                const std::vector<double>& area_rate) {
-  if (!patch_.factorised()) {
-    patch_.factorise(foam, true);
-  }
+  patch_.factorise(foam, true);
   return patch_.response(foam, area_rate);
 }
 

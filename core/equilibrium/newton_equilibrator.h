@@ -36,7 +36,7 @@ public:
   int iterations() const { return iterations_; }
 
   /// How a foam in equilibrium moves while its target areas change (LagrangianSystem::response),
-  /// in the order of region().
+  /// in the order of region(). Factorises anew: the result depends on the foam alone.
   const Step& response(const Foam& foam, const std::vector<double>& area_rate);
   const Region& region() const { return whole_.region(); }
   /// The same of the last patch, in the order of patch_region().

@@ -16,6 +16,7 @@ void sort_unique(std::vector<Index>& v) {
 
 Region whole_foam(const Foam& foam) {
   Region region;
+  region.whole = true;
   for (Index j = 0; j < foam.junction_capacity(); ++j) {
     if (foam.has_junction(j) && !foam.pinned(j)) {
       region.junctions.push_back(j);

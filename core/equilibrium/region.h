@@ -14,6 +14,7 @@ struct Region {
   std::vector<Index> films;     ///< whose half-angles change: those of the bubbles
   std::vector<Index> bubbles;   ///< whose pressures change so that their areas are right
   std::vector<Index> rim;       ///< bubbles beyond the outermost films: their pressures are held
+  bool whole = false;           ///< nothing is held but a container's wall
 };
 
 /// All of a foam. Junctions and films on the wall of a sealed container are held.

@@ -16,7 +16,7 @@ constexpr double kReached = 1e-9;        // relative slack of a threshold that h
 constexpr double kFinestStep = 1.0 / 64; // of a time step, towards a predicted T1
 constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets smaller, no T2 area is
 constexpr double kSmallestLength = 1e-4; // of the mean spacing: no T1 length is shorter
-constexpr double kLargestChange = 0.25;  // of a film's chord in one step between events
+constexpr double kLargestChange = 0.25;  // of a film's chord along one response
 constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
 constexpr int kLargestCascade = 64;        // rounds of events and relaxation at one instant
 
@@ -120,11 +120,14 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   }
   for (double left = options_.time_step; left > 0;) {
     const double step = std::min(left, time_to_next_event());
+    const std::vector<Index> strained = strained_bubbles(step);
     move(step);
     left = step < left ? left - step : 0;
     if (careful_) {
       relax_whole(kCarefulTolerance, aborted);
       predict_whole();
+    } else if (!strained.empty()) {
+      relax_around(strained, aborted);
     }
     if (!settle_events(aborted)) {
       return false;
@@ -181,11 +184,24 @@ double EventCoarsening::time_to_next_event() const {
     if (growth < 0 && length > limit.t1_length && spares_sides(foam_, f)) {
       t1_time = std::min(t1_time, (length - limit.t1_length) / -growth);
     }
-    if (careful_ && norm(change) > 0) {
+    if (norm(change) > 0) {
       t1_time = std::min(t1_time, kLargestChange * d / norm(change));
     }
   }
   return std::min(time, std::max(t1_time, kFinestStep * options_.time_step));
+}
+
+/// The bubbles around films that change so much in a step that the response does not carry on.
+std::vector<Index> EventCoarsening::strained_bubbles(double time) const {
+  std::vector<Index> bubbles;
+  for (Index f = 0; f < foam_.film_capacity(); ++f) {
+    if (foam_.has_film(f) && !foam_.wall(2 * f) &&
+        time * norm(motion_.chord_rate(foam_, f)) >
+            (1 - kReached) * kLargestChange * norm(foam_.chord(2 * f))) {
+      bubbles.insert(bubbles.end(), {foam_.left(2 * f), foam_.right(2 * f)});
+    }
+  }
+  return bubbles;
 }
 
 void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {

@@ -48,6 +48,7 @@ private:
   void predict_whole();
   void move(double time);
   double time_to_next_event() const;
+  std::vector<Index> strained_bubbles(double time) const;
   bool settle_events(const AbortCheck& aborted);
   bool reduce_remnants(const AbortCheck& aborted);
   bool reduce_remnant(Index bubble, const AbortCheck& aborted);

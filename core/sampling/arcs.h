@@ -12,8 +12,8 @@ namespace foam {
 void sample_arc(const Foam& foam, Index half, Vec2 start, double chord_error,
                 std::vector<Vec2>& points);
 
-/// The closed outline of a bubble, sampled like its films, counter-clockwise, in one piece also on a
-/// torus; the first point is not repeated.
+/// The closed outline of a bubble, sampled like its films, counter-clockwise, in one piece also on
+/// a torus; the first point is not repeated.
 std::vector<Vec2> sample_bubble(const Foam& foam, Index bubble, double chord_error);
 
 } // namespace foam

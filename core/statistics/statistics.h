@@ -23,13 +23,13 @@ struct BubbleStatistics {
 struct SideStatistics {
   Index sides = 0;
   Index count = 0;
-  double fraction = 0;              ///< p(n)
-  double mean_neighbour_sides = 0;  ///< m(n); the world is nobody's neighbour
-  double mean_relative_area = 0;    ///< ⟨A_n⟩/⟨A⟩ (Lewis's law)
+  double fraction = 0;             ///< p(n)
+  double mean_neighbour_sides = 0; ///< m(n); the world is nobody's neighbour
+  double mean_relative_area = 0;   ///< ⟨A_n⟩/⟨A⟩ (Lewis's law)
 };
 
 /// A foam in figures (thesis 2.6). Averages leave out bubbles on the world unless told otherwise;
-/// energy, counts of events and errors are the whole foam's.
+/// energy is the whole foam's. Averages over no bubble are NaN.
 struct FoamStatistics {
   Index bubbles = 0;
   double mean_sides = 0;
@@ -37,9 +37,9 @@ struct FoamStatistics {
   double mean_area = 0;          ///< cm²
   double area_second_moment = 0; ///< ⟨A²⟩/⟨A⟩²
   double energy = 0;             ///< N
-  double aboav = 0;              ///< Aboav–Weaire's a, from a count-weighted linear fit of n·m(n)
-  std::vector<SideStatistics> by_sides;   ///< ascending, only n that occur
-  std::vector<BubbleStatistics> each;     ///< in ascending order of id
+  double aboav = 0; ///< Aboav–Weaire's a, from a count-weighted linear fit of n·m(n)
+  std::vector<SideStatistics> by_sides; ///< ascending, only n that occur
+  std::vector<BubbleStatistics> each;   ///< in ascending order of id
 };
 
 /// \param include_boundary whether bubbles that touch the world count in the averages.

@@ -220,7 +220,7 @@ TEST_P(Outlined, BubblesOnTheBoundaryAreNoLongerThanTheRest) {
   }
 }
 
-TEST_P(Outlined, RefusesPointsOnALine) {
+TEST_P(AnyBoundary, RefusesPointsOnALine) {
   const std::vector<Vec2> exactly{{0, 0}, {1, 0}, {2, 0}};
   EXPECT_EQ(error_of(exactly, with(GetParam())),
             "all 3 points lie on the line through (0, 0) and (1, 0)");
@@ -332,13 +332,6 @@ TEST(FromPoints, TorusIsTheSameWhereverItsPointsAreSeen) {
     EXPECT_GE(foam.position[Foam::size(j)].y, 2);
     EXPECT_LE(foam.position[Foam::size(j)].y, 4);
   }
-}
-
-TEST(FromPoints, TorusTakesPointsInARow) {
-  auto options = with(Boundary::Periodic);
-  options.periodic_box = Box{0, 5, 0, 1};
-  const std::vector<Vec2> row{{0.5, 0.5}, {1.5, 0.5}, {2.5, 0.5}, {3.5, 0.5}, {4.5, 0.5}};
-  expect_foam_of(build_from_points(row, options), 5, Boundary::Periodic);
 }
 
 TEST(FromPoints, RefusesABoxWithoutArea) {

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FilmReading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include "FoamWriting.h"
+#include "Message.h"
+
+namespace foam::filters {
+namespace {
+
+/// Integers up to here survive as double.
+constexpr double kLargestInteger = 9007199254740992.0;
+
+/// A position is a junction's image if it lies this close to it, in periods.
+constexpr double kImageTolerance = 1e-6;
+
+template <class... Parts> [[noreturn]] void not_a_foam(const Parts&... parts) {
+  fail("the input is not a foam: ", parts...);
+}
+
+/// A named array with one value for each of `count` elements.
+class Column {
+public:
+  Column(vtkFieldData* data, const char* name, vtkIdType count, const char* element)
+      : array_(find(data, name)), element_(element) {
+    if (array_->GetNumberOfComponents() != 1) {
+      not_a_foam("array ", name, " has ", array_->GetNumberOfComponents(), " components, not 1");
+    }
+    if (array_->GetNumberOfTuples() != count) {
+      not_a_foam("array ", name, " has ", array_->GetNumberOfTuples(), " values for ", count, " ",
+                 element, "s");
+    }
+  }
+
+  double real(vtkIdType i) const {
+    const double value = array_->GetComponent(i, 0);
+    if (!std::isfinite(value)) {
+      not_a_foam(array_->GetName(), " of ", element_, " ", i, " is ", value);
+    }
+    return value;
+  }
+
+  std::int64_t integer(vtkIdType i, double least, double largest = kLargestInteger) const {
+    const double value = array_->GetComponent(i, 0);
+    if (!(value >= least && value <= largest) || value != std::trunc(value)) {
+      not_a_foam(array_->GetName(), " of ", element_, " ", i, " is ", value);
+    }
+    return static_cast<std::int64_t>(value);
+  }
+
+  static vtkDataArray* find(vtkFieldData* data, const char* name) {
+    vtkDataArray* array = data->GetArray(name);
+    if (!array) {
+      not_a_foam("array ", name, data->GetAbstractArray(name) ? " is not numeric" : " is missing");
+    }
+    return array;
+  }
+
+private:
+  vtkDataArray* array_;
+  const char* element_;
+};
+
+double single(vtkFieldData* data, const char* name) {
+  return Column(data, name, 1, "foam").real(0);
+}
+
+std::int64_t single_integer(vtkFieldData* data, const char* name, double least, double largest) {
+  return Column(data, name, 1, "foam").integer(0, least, largest);
+}
+
+void read_state(vtkFieldData* data, FilmSet& set) {
+  set.time = single(data, "TimeValue");
+  set.surface_tension = single(data, "SurfaceTension");
+  set.boundary = static_cast<Boundary>(single_integer(data, "Boundary", 0, 2));
+  vtkDataArray* bounds = Column::find(data, "PeriodicBounds");
+  if (bounds->GetNumberOfValues() != 4) {
+    not_a_foam("array PeriodicBounds has ", bounds->GetNumberOfValues(), " values, not 4");
+  }
+  const auto bound = [&](int i) {
+    const int components = bounds->GetNumberOfComponents();
+    const double value = bounds->GetComponent(i / components, i % components);
+    if (!std::isfinite(value)) {
+      not_a_foam("PeriodicBounds hold ", value);
+    }
+    return value;
+  };
+  set.box = {bound(0), bound(1), bound(2), bound(3)};
+  if (set.boundary == Boundary::Periodic && !(set.box.width() > 0 && set.box.height() > 0)) {
+    not_a_foam("PeriodicBounds enclose no area: ", set.box.xmin, " ", set.box.xmax, " ",
+               set.box.ymin, " ", set.box.ymax);
+  }
+  set.t1_count = single_integer(data, "T1Count", 0, kLargestInteger);
+  set.t2_count = single_integer(data, "T2Count", 0, kLargestInteger);
+  set.t3_count = single_integer(data, "T3Count", 0, kLargestInteger);
+  set.report.converged = single_integer(data, "Converged", 0, 1) == 1;
+  set.report.iterations =
+      static_cast<int>(single_integer(data, "Iterations", 0, std::numeric_limits<int>::max()));
+  set.report.max_angle_error = single(data, "MaxAngleError");
+  set.report.max_area_error = single(data, "MaxAreaError");
+  set.report.residual = single(data, "Residual");
+
+  const vtkIdType count = Column::find(data, "BubbleId")->GetNumberOfTuples();
+  const Column id(data, "BubbleId", count, "bubble");
+  const Column pressure(data, "BubblePressure", count, "bubble");
+  const Column target_area(data, "BubbleTargetArea", count, "bubble");
+  for (vtkIdType i = 0; i < count; ++i) {
+    set.bubbles.push_back({id.integer(i, 0), pressure.real(i), target_area.real(i)});
+  }
+  std::sort(set.bubbles.begin(), set.bubbles.end(),
+            [](const auto& a, const auto& b) { return a.id < b.id; });
+}
+
+/// A point of the films, without its z.
+Vec2 point(vtkPolyData* films, vtkIdType i) {
+  double p[3];
+  films->GetPoint(i, p);
+  return {p[0], p[1]};
+}
+
+void read_junctions(vtkPolyData* films, const std::vector<Index>& junction_of, FilmSet& set) {
+  const Index last = *std::max_element(junction_of.begin(), junction_of.end());
+  set.junctions.resize(Foam::size(last + 1));
+  std::vector<bool> found(set.junctions.size(), false);
+  for (std::size_t i = 0; i < junction_of.size(); ++i) {
+    const Index j = junction_of[i];
+    if (j >= 0 && !found[Foam::size(j)]) {
+      found[Foam::size(j)] = true;
+      set.junctions[Foam::size(j)] = point(films, static_cast<vtkIdType>(i));
+    }
+  }
+  const auto missing = std::find(found.begin(), found.end(), false);
+  if (missing != found.end()) {
+    not_a_foam("no point has JunctionId ", missing - found.begin());
+  }
+}
+
+std::vector<Index> read_junction_ids(vtkPolyData* films) {
+  const vtkIdType count = films->GetNumberOfPoints();
+  const Column id(films->GetPointData(), "JunctionId", count, "point");
+  std::vector<Index> junction_of(static_cast<std::size_t>(count));
+  const double largest =
+      std::min<double>(static_cast<double>(count) - 1, std::numeric_limits<Index>::max() - 1);
+  for (vtkIdType i = 0; i < count; ++i) {
+    junction_of[static_cast<std::size_t>(i)] = static_cast<Index>(id.integer(i, -1, largest));
+  }
+  return junction_of;
+}
+
+/// How many periods lie between a junction and one of its images.
+Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film) {
+  const Vec2 offset = image - set.junctions[Foam::size(junction)];
+  const bool periodic = set.boundary == Boundary::Periodic;
+  const auto count = [&](double distance, double period) {
+    const double n = periodic ? distance / period : distance == 0 ? 0 : kLargestInteger;
+    const double whole = std::round(n);
+    if (!(std::abs(n - whole) < kImageTolerance && std::abs(whole) < 1e6)) {
+      not_a_foam("film ", film, " ends in (", image.x, ", ", image.y, "), but junction ", junction,
+                 " lies in (", image.x - offset.x, ", ", image.y - offset.y, ")",
+                 periodic ? ", not whole periods away" : "");
+    }
+    return static_cast<Index>(whole);
+  };
+  return {count(offset.x, set.box.width()), count(offset.y, set.box.height())};
+}
+
+void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, FilmSet& set) {
+  vtkCellArray* lines = films->GetLines();
+  const vtkIdType count = lines->GetNumberOfCells();
+  vtkFieldData* data = films->GetCellData();
+  const Column left(data, "LeftBubble", count, "film");
+  const Column right(data, "RightBubble", count, "film");
+  const Column half_angle(data, "HalfAngle", count, "film");
+  set.films.resize(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCellAtId(i, size, ids);
+    if (size < 2) {
+      not_a_foam("film ", i, " has ", size, " points");
+    }
+    for (vtkIdType k = 0; k < size; ++k) {
+      if (ids[k] < 0 || ids[k] >= films->GetNumberOfPoints()) {
+        not_a_foam("film ", i, " names point ", ids[k], ", which does not exist");
+      }
+      const bool end = k == 0 || k == size - 1;
+      const Index junction = junction_of[static_cast<std::size_t>(ids[k])];
+      if (end != (junction >= 0)) {
+        not_a_foam("film ", i, " has JunctionId ", junction, end ? " at an end" : " inside");
+      }
+    }
+    auto& film = set.films[static_cast<std::size_t>(i)];
+    const vtkIdType first = ids[0];
+    const vtkIdType last = ids[size - 1];
+    film.start = junction_of[static_cast<std::size_t>(first)];
+    film.end = junction_of[static_cast<std::size_t>(last)];
+    film.left = left.integer(i, -1);
+    film.right = right.integer(i, -1);
+    film.half_angle = half_angle.real(i);
+    film.wrap = periods(set, point(films, last), film.end, i) -
+                periods(set, point(films, first), film.start, i);
+  }
+}
+
+} // namespace
+
+FilmSet read_films(vtkPolyData* films) {
+  if (!films || films->GetNumberOfPoints() == 0 || films->GetNumberOfLines() == 0) {
+    fail("the input has no films; was the file read completely?");
+  }
+  vtkFieldData* data = films->GetFieldData();
+  const auto version = single_integer(data, "FormatVersion", -kLargestInteger, kLargestInteger);
+  if (version != kFormatVersion) {
+    not_a_foam("its FormatVersion is ", version, ", and only ", kFormatVersion, " is known");
+  }
+  if (films->GetNumberOfCells() != films->GetNumberOfLines()) {
+    not_a_foam(films->GetNumberOfCells() - films->GetNumberOfLines(),
+               " of its cells are not polylines");
+  }
+  if (!films->GetLines()->IsValid()) {
+    not_a_foam("the offsets of its polylines are inconsistent");
+  }
+  FilmSet set;
+  read_state(data, set);
+  const auto junction_of = read_junction_ids(films);
+  read_junctions(films, junction_of, set);
+  read_polylines(films, junction_of, set);
+  return set;
+}
+
+Foam checked_foam(const FilmSet& films) {
+  Foam foam = foam_of(films);
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    const double area = foam.area(b);
+    if (!(area > 0)) {
+      not_a_foam("the area of bubble ", foam.bubble_id[Foam::size(b)], " is ", area);
+    }
+  }
+  return foam;
+}
+
+Foam read_foam(vtkPolyData* films) {
+  return checked_foam(read_films(films));
+}
+
+double read_time(vtkPolyData* films) {
+  vtkDataArray* time = films ? films->GetFieldData()->GetArray("TimeValue") : nullptr;
+  const double value = time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0) : 0;
+  return std::isfinite(value) ? value : 0;
+}
+
+} // namespace foam::filters

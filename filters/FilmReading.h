@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/film_set.h"
+
+class vtkPolyData;
+
+namespace foam::filters {
+
+/// The films that write_films wrote, checked one by one: reading what was written gives the same
+/// list, bit for bit.
+/// \throws FoamError naming the cause and the offending value.
+FilmSet read_films(vtkPolyData* films);
+
+/// The foam of films that write_films wrote.
+/// \throws FoamError naming the cause and the offending value.
+Foam read_foam(vtkPolyData* films);
+
+/// The foam of a list of films, if every bubble has an area.
+/// \throws FoamError naming the cause and the offending value.
+Foam checked_foam(const FilmSet& films);
+
+/// The time (s) that films carry; 0 if they carry none.
+double read_time(vtkPolyData* films);
+
+} // namespace foam::filters

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "evolution/coarsening.h"
+#include "mesh/film_set.h"
+
+namespace foam::filters {
+
+/// Frames of a coarsening foam that are kept to return to, up to a limit of memory.
+class Keyframes {
+public:
+  /// \param bytes above it every other keyframe is dropped, frame 0 never.
+  void set_limit(std::size_t bytes);
+  void insert(int frame, FilmSet films);
+  /// The keyframe at or before a frame. Frame 0 must have been inserted.
+  std::pair<int, const FilmSet&> at_or_before(int frame) const;
+
+private:
+  void thin();
+
+  std::map<int, FilmSet> kept_;
+  std::size_t bytes_ = 0;
+  std::size_t limit_ = 0;
+};
+
+/// A coarsening foam that can be asked for any frame, in any order. Composes a Coarsening.
+///
+/// Frame 0 is the foam that it begins with. Going forward advances; going back, or forward over a
+/// keyframe, starts from that keyframe and replays. At every interval-th frame the coarsening
+/// begins anew from the list of its films, whether or not that frame is kept: so a frame has the
+/// same bits however it is reached, and also when a run begins with the films of such a frame.
+class FoamTimeline {
+public:
+  struct Settings {
+    CoarseningOptions coarsening;
+    int keyframe_interval = 10; ///< frames, ≥ 1
+    friend bool operator==(const Settings& a, const Settings& b);
+  };
+  /// Told of every frame that has been reached, after `done` of `todo` frames.
+  using Reached = std::function<void(int done, int todo)>;
+
+  /// \throws FoamError for settings out of range, or films that are not a foam.
+  FoamTimeline(FilmSet start, const Settings& settings);
+
+  /// Whether this is the timeline of these films and settings.
+  bool is_of(const FilmSet& start, const Settings& settings) const;
+
+  void limit_memory(std::size_t bytes) { keyframes_.set_limit(bytes); }
+
+  /// Makes a frame the current one.
+  /// \throws Aborted; the current frame is then the last that was complete.
+  void go_to(int frame, const AbortCheck& aborted, const Reached& reached);
+
+  /// Time of frame 0, s.
+  double start_time() const { return start_.time; }
+  int frame() const { return frame_; }
+  /// The foam of the current frame.
+  const Foam& foam() const { return last_ ? *last_ : coarsening_->foam(); }
+  /// The last frame that could be computed, once it is known: a bubble would vanish after it that
+  /// cannot, as one of the last two. Later frames show its foam.
+  std::optional<int> end() const { return end_; }
+  /// Its time, s.
+  double end_time() const { return end_films_.time; }
+
+private:
+  void begin_at(int frame, const FilmSet& films);
+  void begin_at_keyframe(int frame);
+  void advance(const AbortCheck& aborted);
+  void show_end(int frame);
+
+  FilmSet start_;
+  Settings settings_;
+  std::unique_ptr<Coarsening> coarsening_;
+  Keyframes keyframes_;
+  int frame_ = 0;
+  bool interrupted_ = false; ///< what the coarsening keeps between frames may not be as it was
+  std::optional<int> end_;
+  FilmSet end_films_;
+  std::optional<Foam> last_; ///< shown at frames after the end
+};
+
+/// The times (s) of frames 0 … count, each the sum of the one before and Δt, as a run that is
+/// resumed adds them.
+std::vector<double> frame_times(double start, double time_step, int count);
+
+} // namespace foam::filters

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkFoamCoarsen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <vector>
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include "FilmReading.h"
+#include "FoamTimeline.h"
+#include "Message.h"
+#include "PipelineRequest.h"
+
+vtkStandardNewMacro(vtkFoamCoarsen);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace {
+
+/// A frame is shown at times that are earlier than its own by less than this, in time steps: what
+/// rounding may take from a time on its way through a user interface.
+constexpr double TIME_TOLERANCE = 1e-6;
+
+/// Asks the input for its first time step: the frames' times are made here, not upstream.
+void RequestFirstTimeStep(vtkInformation* input) {
+  if (input->Length(SDDP::TIME_STEPS()) > 0) {
+    input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
+  } else {
+    input->Remove(SDDP::UPDATE_TIME_STEP());
+  }
+}
+
+/// Whether a time step leads to a later time, of this precision.
+bool TimeCanPass(double start, double timeStep) {
+  return std::isfinite(timeStep) && start + timeStep > start;
+}
+
+/// The last frame that is not later than the requested time; frame 0 if none was requested.
+int RequestedFrame(const std::vector<double>& times, double timeStep, vtkInformation* output) {
+  if (!output->Has(SDDP::UPDATE_TIME_STEP())) {
+    return 0;
+  }
+  const double time = output->Get(SDDP::UPDATE_TIME_STEP()) + TIME_TOLERANCE * timeStep;
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  return std::max(0, static_cast<int>(after - times.begin()) - 1);
+}
+
+} // namespace
+
+/// A run and what has been told about it.
+struct vtkFoamCoarsen::Simulation {
+  Simulation(foam::FilmSet start, const foam::filters::FoamTimeline::Settings& settings)
+      : Timeline(std::move(start), settings) {}
+
+  foam::filters::FoamTimeline Timeline;
+  int CheckedFrame = -1;
+  bool EndTold = false;
+};
+
+vtkFoamCoarsen::vtkFoamCoarsen() = default;
+vtkFoamCoarsen::~vtkFoamCoarsen() = default;
+
+int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                       vtkInformationVector* outputs) {
+  // The frames begin at the time that the input's data carry, which no information tells before
+  // they are there: a .vtp that is read back alone, to resume a run, has it in its field data. So
+  // the input is brought up to date here; that is work which the request for data would do anyway.
+  RequestFirstTimeStep(inputs[0]->GetInformationObject(0));
+  int upstreamPort = 0;
+  vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
+  upstream->Update(upstreamPort);
+  const double start = foam::filters::read_time(vtkPolyData::GetData(inputs[0]));
+
+  const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, this->TimeStep);
+  const auto times =
+      foam::filters::frame_times(start, this->TimeStep, valid ? this->NumberOfFrames : 0);
+  double range[2] = {times.front(), times.back()};
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(SDDP::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                        vtkInformationVector*) {
+  RequestFirstTimeStep(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkFoamCoarsen::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                vtkInformationVector* outputs) {
+  if (!foam::filters::is_first_piece(request, outputs)) {
+    this->ClearOutputs(outputs);
+    return 1;
+  }
+  this->SetAbortExecute(0); // what ended an earlier request
+  try {
+    this->CheckOutputProperties();
+    this->PrepareSimulation(inputs);
+    auto& timeline = this->Run->Timeline;
+    const auto times =
+        foam::filters::frame_times(timeline.start_time(), this->TimeStep, this->NumberOfFrames);
+    this->AdvanceTo(
+        RequestedFrame(times, this->TimeStep, foam::filters::requested_output(request, outputs)));
+    this->WriteOutputs(timeline.foam(), outputs);
+    for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
+      vtkPolyData::GetData(outputs, i)
+          ->GetInformation()
+          ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.foam().time);
+    }
+  } catch (const std::exception& error) {
+    this->Run.reset();
+    return this->Fail(error.what(), outputs);
+  }
+  return 1;
+}
+
+void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
+  foam::filters::FoamTimeline::Settings settings;
+  auto& coarsening = settings.coarsening;
+  coarsening.time_step = this->TimeStep;
+  coarsening.permeability = this->Permeability;
+  coarsening.thresholds.relative = this->Thresholds == Relative;
+  coarsening.thresholds.t1_length = this->T1Length;
+  coarsening.thresholds.t2_area = this->T2Area;
+  coarsening.thresholds.alpha = this->Alpha;
+  coarsening.two_sided_bubbles = static_cast<foam::TwoSidedBubbles>(this->TwoSidedBubbles);
+  coarsening.equilibrator = this->GetEquilibratorOptions();
+  settings.keyframe_interval = this->KeyframeInterval;
+  if (this->NumberOfFrames < 0) {
+    foam::filters::fail("NumberOfFrames must be at least 0, but is ", this->NumberOfFrames);
+  }
+
+  auto films = foam::filters::read_films(vtkPolyData::GetData(inputs[0]));
+  if (this->TimeStep > 0 && !TimeCanPass(films.time, this->TimeStep)) {
+    foam::filters::fail("TimeStep ", this->TimeStep, " s leads to no later time than ", films.time,
+                        " s");
+  }
+  if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
+    this->Run.reset();
+    foam::filters::checked_foam(films);
+    this->Run = std::make_unique<Simulation>(std::move(films), settings);
+    this->WarnIfNotConverged();
+  }
+  this->Run->Timeline.limit_memory(static_cast<std::size_t>(this->KeyframeMemory) << 20);
+}
+
+void vtkFoamCoarsen::AdvanceTo(int frame) {
+  auto& timeline = this->Run->Timeline;
+  double progress = 0;
+  try {
+    timeline.go_to(
+        frame, [&] { return this->PollAbort(progress); },
+        [&](int done, int todo) {
+          progress = static_cast<double>(done) / todo;
+          this->WarnIfNotConverged();
+        });
+  } catch (const foam::Aborted&) {
+    // The last frame that was complete is shown; the next request goes on from there.
+  }
+  if (timeline.end() && !this->Run->EndTold) {
+    this->Run->EndTold = true;
+    vtkWarningMacro("The foam ended at time "
+                    << timeline.end_time() << " s, frame " << *timeline.end()
+                    << ": a bubble would vanish that cannot, such as one of the last two. "
+                    << "Later frames show the last foam.");
+  }
+}
+
+void vtkFoamCoarsen::WarnIfNotConverged() {
+  const auto& timeline = this->Run->Timeline;
+  if (timeline.frame() <= this->Run->CheckedFrame) {
+    return;
+  }
+  this->Run->CheckedFrame = timeline.frame();
+  const auto& foam = timeline.foam();
+  if (!foam.report.converged) {
+    vtkWarningMacro("Frame " << timeline.frame() << ", time " << foam.time
+                             << " s, is not in equilibrium: angles are off by up to "
+                             << foam.report.max_angle_error << " rad, residual "
+                             << foam.report.residual << ".");
+  }
+}
+
+void vtkFoamCoarsen::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TimeStep: " << this->TimeStep << "\n"
+     << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n"
+     << indent << "Permeability: " << this->Permeability << "\n"
+     << indent << "Thresholds: " << this->Thresholds << "\n"
+     << indent << "T1Length: " << this->T1Length << "\n"
+     << indent << "T2Area: " << this->T2Area << "\n"
+     << indent << "Alpha: " << this->Alpha << "\n"
+     << indent << "TwoSidedBubbles: " << this->TwoSidedBubbles << "\n"
+     << indent << "KeyframeInterval: " << this->KeyframeInterval << "\n"
+     << indent << "KeyframeMemory: " << this->KeyframeMemory << "\n";
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkFoamCoarsen
+ * @brief Lets a foam coarsen: gas diffuses through the films, films swap, bubbles vanish.
+ *
+ * A temporal filter. It offers frames 0 … NumberOfFrames as time steps t₀, t₀ + Δt, …, where t₀ is
+ * the time that its input carries, and shows the frame that was asked for: the last one that is not
+ * later than the requested time. Going forward advances the simulation; going back, or jumping,
+ * starts from the nearest keyframe before and replays, with the same bits.
+ *
+ * Input: films, of vtkFoamFromPoints, of this filter, or read back from a .vtp. A temporal input
+ * is taken at its first time step. A run that begins with the films of a keyframe continues with
+ * the bits of the uninterrupted run; from any other frame it continues to within the tolerance.
+ *
+ * Output port 0, films, and port 1, bubbles, are those of vtkFoamFromPoints. A frame that did not
+ * reach equilibrium is warned about and has Converged = 0. When a bubble would vanish that
+ * cannot, as one of the last two, the run ends with a warning, and later frames show the last foam.
+ *
+ * An aborted request shows the last frame that was complete; the next request goes on from there.
+ *
+ * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
+ * of Copenhagen, 2010.
+ *
+ * @sa vtkFoamFromPoints vtkFoamStatistics
+ */
+#ifndef vtkFoamCoarsen_h
+#define vtkFoamCoarsen_h
+
+#include <memory> // for the simulation
+
+#include "vtkFoamEquilibratingAlgorithm.h"
+
+class VTKFOAMFILTERS_EXPORT vtkFoamCoarsen : public vtkFoamEquilibratingAlgorithm {
+public:
+  static vtkFoamCoarsen* New();
+  vtkTypeMacro(vtkFoamCoarsen, vtkFoamEquilibratingAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ThresholdsType { Absolute = 0, Relative = 1 };
+  enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
+
+  ///@{
+  /**
+   * Time between two frames, Δt, s, > 0. Default 1/30.
+   */
+  vtkSetMacro(TimeStep, double);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of frames after the first. Default 300.
+   */
+  vtkSetMacro(NumberOfFrames, int);
+  vtkGetMacro(NumberOfFrames, int);
+  ///@}
+
+  ///@{
+  /**
+   * Permeability κ of the films, the gas that passes per length (cm), pressure (N/cm) and time (s),
+   * ≥ 0. Von Neumann's law: an n-sided bubble grows at (2π/3)γκ(n − 6) cm²/s. Default 1.
+   */
+  vtkSetMacro(Permeability, double);
+  vtkGetMacro(Permeability, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the thresholds are the two absolute values (default), or follow from Alpha and the
+   * foam's own length, which grows as it coarsens (Weygand's).
+   */
+  vtkSetClampMacro(Thresholds, int, Absolute, Relative);
+  vtkGetMacro(Thresholds, int);
+  ///@}
+
+  ///@{
+  /**
+   * Length of a film below which it may swap (T1), cm, ≥ 0. Default 0.025.
+   */
+  vtkSetMacro(T1Length, double);
+  vtkGetMacro(T1Length, double);
+  ///@}
+
+  ///@{
+  /**
+   * Area of a bubble below which it may vanish (T2, T3), cm², ≥ 0. Default 0.05.
+   */
+  vtkSetMacro(T2Area, double);
+  vtkGetMacro(T2Area, double);
+  ///@}
+
+  ///@{
+  /**
+   * Relative thresholds: Weygand's α, > 0. Default 0.05.
+   */
+  vtkSetMacro(Alpha, double);
+  vtkGetMacro(Alpha, double);
+  ///@}
+
+  ///@{
+  /**
+   * What happens to two-sided bubbles: Remove (default), they stay on their film until they vanish
+   * (T3); Slide, they slide along it to the nearest corner and become three-sided.
+   */
+  vtkSetClampMacro(TwoSidedBubbles, int, Remove, Slide);
+  vtkGetMacro(TwoSidedBubbles, int);
+  ///@}
+
+  ///@{
+  /**
+   * A keyframe every so many frames, ≥ 1: there the solver keeps nothing from before, and a run can
+   * be resumed with the same bits. Default 10.
+   */
+  vtkSetMacro(KeyframeInterval, int);
+  vtkGetMacro(KeyframeInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * Memory for keyframes, MiB; when it is full, every other keyframe is dropped. Frames are the
+   * same with any. Default 256.
+   */
+  vtkSetClampMacro(KeyframeMemory, int, 0, VTK_INT_MAX);
+  vtkGetMacro(KeyframeMemory, int);
+  ///@}
+
+protected:
+  vtkFoamCoarsen();
+  ~vtkFoamCoarsen() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkFoamCoarsen(const vtkFoamCoarsen&) = delete;
+  void operator=(const vtkFoamCoarsen&) = delete;
+
+  struct Simulation;
+
+  void PrepareSimulation(vtkInformationVector** inputs);
+  void AdvanceTo(int frame);
+  void WarnIfNotConverged();
+
+  double TimeStep = 1.0 / 30;
+  int NumberOfFrames = 300;
+  double Permeability = 1;
+  int Thresholds = Absolute;
+  double T1Length = 0.025;
+  double T2Area = 0.05;
+  double Alpha = 0.05;
+  int TwoSidedBubbles = Remove;
+  int KeyframeInterval = 10;
+  int KeyframeMemory = 256;
+  std::unique_ptr<Simulation> Run;
+};
+
+#endif

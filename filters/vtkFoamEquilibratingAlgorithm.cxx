@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkFoamEquilibratingAlgorithm.h"
+
+#include <cmath>
+
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkTimerLog.h"
+
+#include "FoamWriting.h"
+#include "Message.h"
+#include "equilibrium/equilibrator.h"
+
+namespace {
+
+/// Seconds between two reports of progress.
+constexpr double POLL_INTERVAL = 0.1;
+
+} // namespace
+
+vtkFoamEquilibratingAlgorithm::vtkFoamEquilibratingAlgorithm() {
+  this->SetNumberOfOutputPorts(2);
+}
+
+foam::EquilibratorOptions vtkFoamEquilibratingAlgorithm::GetEquilibratorOptions() const {
+  foam::EquilibratorOptions options;
+  options.kind = static_cast<foam::EquilibratorKind>(this->Equilibrator);
+  options.device = static_cast<foam::Device>(this->Device);
+  options.tolerance = this->Tolerance;
+  options.maximum_iterations = this->MaximumIterations;
+  options.junction.sweep = static_cast<foam::Sweep>(this->Sweep);
+  options.junction.energy_decay = this->EnergyDecay;
+  options.junction.orientation_invariant = this->OrientationInvariant;
+  options.junction.damping = this->Damping;
+  options.junction.finite_difference_step = this->FiniteDifferenceStep;
+  options.junction.jacobian_tolerance = this->JacobianTolerance;
+  options.junction.pressure_tolerance = this->PressureTolerance;
+  options.junction.position_tolerance = this->PositionTolerance;
+  options.junction.minimum_scale = this->MinimumScale;
+  return options;
+}
+
+void vtkFoamEquilibratingAlgorithm::CheckOutputProperties() const {
+  if (!(this->ChordError >= 0) || !std::isfinite(this->ChordError)) {
+    foam::filters::fail("ChordError must be 0 or positive, but is ", this->ChordError);
+  }
+}
+
+void vtkFoamEquilibratingAlgorithm::WriteOutputs(const foam::Foam& foam,
+                                                 vtkInformationVector* outputs) {
+  foam::filters::write_foam(foam, this->ChordError, vtkPolyData::GetData(outputs, 0),
+                            vtkPolyData::GetData(outputs, 1));
+}
+
+void vtkFoamEquilibratingAlgorithm::ClearOutputs(vtkInformationVector* outputs) {
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+    vtkPolyData::GetData(outputs, port)->Initialize();
+  }
+}
+
+int vtkFoamEquilibratingAlgorithm::Fail(const char* message, vtkInformationVector* outputs) {
+  this->ClearOutputs(outputs);
+  vtkErrorMacro(<< message);
+  return 1;
+}
+
+bool vtkFoamEquilibratingAlgorithm::PollAbort(double progress) {
+  const double now = vtkTimerLog::GetUniversalTime();
+  if (now - this->LastPoll > POLL_INTERVAL || now < this->LastPoll) {
+    this->LastPoll = now;
+    this->UpdateProgress(progress);
+  }
+  return this->GetAbortExecute() != 0;
+}
+
+void vtkFoamEquilibratingAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ChordError: " << this->ChordError << "\n"
+     << indent << "Equilibrator: " << this->Equilibrator << "\n"
+     << indent << "Device: " << this->Device << "\n"
+     << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "MaximumIterations: " << this->MaximumIterations << "\n"
+     << indent << "Sweep: " << this->Sweep << "\n"
+     << indent << "EnergyDecay: " << this->EnergyDecay << "\n"
+     << indent << "OrientationInvariant: " << this->OrientationInvariant << "\n"
+     << indent << "Damping: " << this->Damping << "\n"
+     << indent << "FiniteDifferenceStep: " << this->FiniteDifferenceStep << "\n"
+     << indent << "JacobianTolerance: " << this->JacobianTolerance << "\n"
+     << indent << "PressureTolerance: " << this->PressureTolerance << "\n"
+     << indent << "PositionTolerance: " << this->PositionTolerance << "\n"
+     << indent << "MinimumScale: " << this->MinimumScale << "\n";
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkFoamEquilibratingAlgorithm
+ * @brief What the filters that bring a foam to equilibrium have in common.
+ *
+ * Holds the properties of the equilibrator and the two outputs: port 0 the films, which carry the
+ * whole state of the foam, port 1 the bubbles. Units are cm, s and N.
+ *
+ * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
+ * of Copenhagen, 2010.
+ *
+ * @sa vtkFoamFromPoints vtkFoamCoarsen
+ */
+#ifndef vtkFoamEquilibratingAlgorithm_h
+#define vtkFoamEquilibratingAlgorithm_h
+
+#include "vtkFoamFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifndef __VTK_WRAP__
+namespace foam {
+struct EquilibratorOptions;
+struct Foam;
+} // namespace foam
+#endif
+
+class VTKFOAMFILTERS_EXPORT vtkFoamEquilibratingAlgorithm : public vtkPolyDataAlgorithm {
+public:
+  vtkTypeMacro(vtkFoamEquilibratingAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EquilibratorType { Newton = 0, Junction = 1 };
+  enum DeviceType { Auto = 0, CPU = 1, CUDA = 2 };
+  enum SweepType { Jacobi = 0, GaussSeidel = 1 };
+
+  ///@{
+  /**
+   * Largest distance between an arc and the polyline that stands for it, cm. 0, the default,
+   * stands for 1/200 of the mean spacing of the bubbles. Only the looks depend on it.
+   */
+  vtkSetMacro(ChordError, double);
+  vtkGetMacro(ChordError, double);
+  ///@}
+
+  ///@{
+  /**
+   * How equilibrium is found: Newton (default) solves for all junctions, arcs and pressures at
+   * once, to machine precision; Junction is the thesis's own method, junction by junction.
+   */
+  vtkSetClampMacro(Equilibrator, int, Newton, Junction);
+  vtkGetMacro(Equilibrator, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where it is computed: Auto (default), CPU or CUDA.
+   */
+  vtkSetClampMacro(Device, int, Auto, CUDA);
+  vtkGetMacro(Device, int);
+  ///@}
+
+  ///@{
+  /**
+   * Newton: largest dimensionless residual of an equilibrium, > 0. Default 1e-9.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations after which a foam is given up as not converged, > 0. Default 256.
+   */
+  vtkSetMacro(MaximumIterations, int);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: whether all junctions move at once (Jacobi, default) or one after the other
+   * (GaussSeidel).
+   */
+  vtkSetClampMacro(Sweep, int, Jacobi, GaussSeidel);
+  vtkGetMacro(Sweep, int);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: the Energy Decay Constraint (thesis 3.5.2). Default on.
+   */
+  vtkSetMacro(EnergyDecay, bool);
+  vtkGetMacro(EnergyDecay, bool);
+  vtkBooleanMacro(EnergyDecay, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: the Orientation Invariant Constraint (thesis 3.5.1). Default off.
+   */
+  vtkSetMacro(OrientationInvariant, bool);
+  vtkGetMacro(OrientationInvariant, bool);
+  vtkBooleanMacro(OrientationInvariant, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: damping τ of a step. Default 0.1.
+   */
+  vtkSetMacro(Damping, double);
+  vtkGetMacro(Damping, double);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: step h of the finite differences, relative. Default 0.01.
+   */
+  vtkSetMacro(FiniteDifferenceStep, double);
+  vtkGetMacro(FiniteDifferenceStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: δ_error, below which a junction's Jacobian counts as good. Default 1.
+   */
+  vtkSetMacro(JacobianTolerance, double);
+  vtkGetMacro(JacobianTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: change of pressure below which a bubble is at rest, N/cm. Default 0.001.
+   */
+  vtkSetMacro(PressureTolerance, double);
+  vtkGetMacro(PressureTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: move below which a junction is at rest, cm. Default 0.001.
+   */
+  vtkSetMacro(PositionTolerance, double);
+  vtkGetMacro(PositionTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: smallest scale of a step. Default 1e-5.
+   */
+  vtkSetMacro(MinimumScale, double);
+  vtkGetMacro(MinimumScale, double);
+  ///@}
+
+protected:
+  vtkFoamEquilibratingAlgorithm();
+  ~vtkFoamEquilibratingAlgorithm() override = default;
+
+#ifndef __VTK_WRAP__
+  foam::EquilibratorOptions GetEquilibratorOptions() const;
+
+  /// \throws FoamError if the outputs cannot be written as asked.
+  void CheckOutputProperties() const;
+
+  /// Writes a foam to the two outputs.
+  void WriteOutputs(const foam::Foam& foam, vtkInformationVector* outputs);
+#endif
+
+  /// Empties the outputs.
+  void ClearOutputs(vtkInformationVector* outputs);
+
+  /// Reports an error and leaves the outputs empty.
+  ///
+  /// \returns 1: the error has been told and an empty output is the answer. 0 would have the
+  /// executive add an error of its own, and ask again at every render.
+  int Fail(const char* message, vtkInformationVector* outputs);
+
+  /// To be asked often during long work: reports progress now and then, which gives observers the
+  /// chance to abort. \returns whether to stop.
+  bool PollAbort(double progress);
+
+private:
+  vtkFoamEquilibratingAlgorithm(const vtkFoamEquilibratingAlgorithm&) = delete;
+  void operator=(const vtkFoamEquilibratingAlgorithm&) = delete;
+
+  double ChordError = 0;
+  int Equilibrator = Newton;
+  int Device = Auto;
+  double Tolerance = 1e-9;
+  int MaximumIterations = 256;
+  int Sweep = Jacobi;
+  bool EnergyDecay = true;
+  bool OrientationInvariant = false;
+  double Damping = 0.1;
+  double FiniteDifferenceStep = 0.01;
+  double JacobianTolerance = 1;
+  double PressureTolerance = 0.001;
+  double PositionTolerance = 0.001;
+  double MinimumScale = 1e-5;
+  double LastPoll = 0;
+};
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkFoamFromPoints
+ * @brief Builds a two-dimensional dry foam from points, one bubble per point, in equilibrium.
+ *
+ * The points' Delaunay triangulation is the dual of the foam: a point becomes a bubble, an edge a
+ * film, a triangle a junction. The foam is then brought to equilibrium: films are circular arcs
+ * that meet three by three at 120°, and every bubble has its target area. Points must lie in a
+ * plane of constant z; the foam lies in z = 0.
+ *
+ * Output port 0, films: a polyline per film, sampled along its arc. Cell data LeftBubble,
+ * RightBubble (−1 = the world), Curvature (1/cm, > 0 where the film bulges to the right),
+ * PressureDifference (left minus right, N/cm), Length (cm), HalfAngle (rad), OnBoundary; point data
+ * JunctionId (−1 inside an arc); field data BubbleId, BubblePressure (N/cm), BubbleTargetArea (cm²)
+ * and the foam's single values. They are the foam's whole state: a .vtp of them is a checkpoint.
+ *
+ * Output port 1, bubbles: a polygon per bubble. Cell data BubbleId, Area, TargetArea (cm²),
+ * Pressure (N/cm), Sides, Perimeter (cm), OnBoundary.
+ *
+ * Bad input gives one error that names the cause, and empty outputs.
+ *
+ * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
+ * of Copenhagen, 2010, section 4.5.3.
+ *
+ * @sa vtkFoamPoints vtkFoamCoarsen
+ */
+#ifndef vtkFoamFromPoints_h
+#define vtkFoamFromPoints_h
+
+#include <string> // for the name of an array
+
+#include "vtkFoamEquilibratingAlgorithm.h"
+
+class VTKFOAMFILTERS_EXPORT vtkFoamFromPoints : public vtkFoamEquilibratingAlgorithm {
+public:
+  static vtkFoamFromPoints* New();
+  vtkTypeMacro(vtkFoamFromPoints, vtkFoamEquilibratingAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum BoundaryType { Free = 0, Periodic = 1, Fixed = 2 };
+  enum TargetAreasType { Initial = 0, Uniform = 1, Array = 2 };
+
+  ///@{
+  /**
+   * What surrounds the foam: Free (default), the world with pressure 0; Periodic, its own images on
+   * a torus; Fixed, a sealed container.
+   */
+  vtkSetClampMacro(Boundary, int, Free, Fixed);
+  vtkGetMacro(Boundary, int);
+  ///@}
+
+  ///@{
+  /**
+   * The torus of a periodic foam: xmin, xmax, ymin, ymax, cm. Bounds that are empty, as by default,
+   * stand for the points' bounds grown by half a mean spacing.
+   */
+  vtkSetVector4Macro(PeriodicBounds, double);
+  vtkGetVector4Macro(PeriodicBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the target areas come from: Initial (default), each bubble's area in the initial mesh;
+   * Uniform, their mean for every bubble; Array, the point array TargetAreaArray.
+   */
+  vtkSetClampMacro(TargetAreas, int, Initial, Array);
+  vtkGetMacro(TargetAreas, int);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of target areas, cm², one value > 0 per point. On a torus and in a
+   * container they must add up to its area.
+   */
+  vtkSetStdStringFromCharMacro(TargetAreaArray);
+  vtkGetCharFromStdStringMacro(TargetAreaArray);
+  ///@}
+
+  ///@{
+  /**
+   * Surface tension γ, N/cm, > 0; a film has two surfaces and pulls with 2γ. Default 0.25.
+   */
+  vtkSetMacro(SurfaceTension, double);
+  vtkGetMacro(SurfaceTension, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the boundary films of the initial mesh stand out from the outermost points, cm; 0, the
+   * default, stands for 1.5 mean spacings.
+   */
+  vtkSetMacro(FinSize, double);
+  vtkGetMacro(FinSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to bring the foam to equilibrium (default), or to show the initial mesh.
+   */
+  vtkSetMacro(Equilibrate, bool);
+  vtkGetMacro(Equilibrate, bool);
+  vtkBooleanMacro(Equilibrate, bool);
+  ///@}
+
+protected:
+  vtkFoamFromPoints() = default;
+  ~vtkFoamFromPoints() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkFoamFromPoints(const vtkFoamFromPoints&) = delete;
+  void operator=(const vtkFoamFromPoints&) = delete;
+
+  int Boundary = Free;
+  double PeriodicBounds[4] = {0, 0, 0, 0};
+  int TargetAreas = Initial;
+  std::string TargetAreaArray;
+  double SurfaceTension = 0.25;
+  double FinSize = 0;
+  bool Equilibrate = true;
+};
+
+#endif

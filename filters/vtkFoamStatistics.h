@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkFoamStatistics
+ * @brief A foam in figures: topology, areas, energy.
+ *
+ * Input: films, of vtkFoamFromPoints, of vtkFoamCoarsen, or read back from a .vtp. Three tables:
+ *
+ * Port 0, Summary, one row: Time (s), Bubbles, MeanSides, Mu2 (second moment of the number of sides
+ * about six), MeanArea (cm²), AreaSecondMoment ⟨A²⟩/⟨A⟩², Energy (N), AboavA (a of Aboav–Weaire's
+ * law), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative).
+ *
+ * Port 1, BySides, one row per number of sides n: Sides, Count, Fraction p(n), MeanNeighbourSides
+ * m(n), AboavProduct n·m(n), AboavIdeal 5n + 7.4, MeanArea ⟨A_n⟩/⟨A⟩.
+ *
+ * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm), Sides,
+ * Perimeter (cm), OnBoundary.
+ *
+ * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
+ * of Copenhagen, 2010, section 2.6.
+ *
+ * @sa vtkFoamCoarsen
+ */
+#ifndef vtkFoamStatistics_h
+#define vtkFoamStatistics_h
+
+#include "vtkFoamFiltersModule.h" // for the export macro
+#include "vtkTableAlgorithm.h"
+
+class VTKFOAMFILTERS_EXPORT vtkFoamStatistics : public vtkTableAlgorithm {
+public:
+  static vtkFoamStatistics* New();
+  vtkTypeMacro(vtkFoamStatistics, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether bubbles that touch the world count in the averages. Default off. Energy, counts of
+   * events and errors are always the whole foam's.
+   */
+  vtkSetMacro(IncludeBoundary, bool);
+  vtkGetMacro(IncludeBoundary, bool);
+  vtkBooleanMacro(IncludeBoundary, bool);
+  ///@}
+
+protected:
+  vtkFoamStatistics();
+  ~vtkFoamStatistics() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkFoamStatistics(const vtkFoamStatistics&) = delete;
+  void operator=(const vtkFoamStatistics&) = delete;
+
+  bool IncludeBoundary = false;
+};
+
+#endif

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The film series is a checkpoint: runs resumed in a new process go on as if not stopped."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from foam_testing import (coarsening_of, column, differences, foam_of_points, go_to, read, single,
+                          times, write)
+
+LAST = 40
+
+
+def run(start, first, folder):
+    """Coarsens from films that are frame `first` and writes every frame up to LAST."""
+    coarsen = coarsening_of(start, NumberOfFrames=LAST - first)
+    for frame in range(first, LAST + 1):
+        films, bubbles = go_to(coarsen, frame - first)
+        write(films, folder / f"films{frame}.vtp")
+        write(bubbles, folder / f"bubbles{frame}.vtp")
+    return times(coarsen)
+
+
+def resume(folder, first):
+    """Continues from a written frame, in another process."""
+    resumed = folder / f"from{first}"
+    resumed.mkdir()
+    subprocess.run([sys.executable, __file__, "resume", folder / f"films{first}.vtp", str(first),
+                    resumed], check=True)
+    return resumed
+
+
+class Checkpoint(unittest.TestCase):
+    def check(self, periodic):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            foam = foam_of_points(periodic=periodic)
+            offered = run(foam, 0, folder)
+            last = read(folder / f"films{LAST}.vtp")
+            self.assertGreater(single(last, "T2Count") + single(last, "T3Count"), 0)
+
+            resumed = resume(folder, 20)
+            for frame in range(20, LAST + 1):
+                films = read(folder / f"films{frame}.vtp")
+                self.assertEqual(single(films, "TimeValue"), offered[frame])
+                self.assertEqual(single(films, "Converged"), 1)
+                self.assertEqual(differences(films, read(resumed / f"films{frame}.vtp")), [], frame)
+                if frame > 20:
+                    self.assertEqual(differences(read(folder / f"bubbles{frame}.vtp"),
+                                                 read(resumed / f"bubbles{frame}.vtp")), [], frame)
+
+            resumed = resume(folder, 23)
+            for frame in range(23, LAST + 1):
+                films = read(folder / f"films{frame}.vtp")
+                again = read(resumed / f"films{frame}.vtp")
+                for count in ("T1Count", "T2Count", "T3Count"):
+                    self.assertEqual(single(films, count), single(again, count), (frame, count))
+                length = column(films.GetCellData(), "Length").sum()
+                other = column(again.GetCellData(), "Length").sum()
+                self.assertLess(abs(other / length - 1), 1e-8, frame)
+
+    def test_free(self):
+        self.check(periodic=False)
+
+    def test_periodic(self):
+        self.check(periodic=True)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["resume"]:
+        run(read(sys.argv[2]), int(sys.argv[3]), Path(sys.argv[4]))
+    else:
+        unittest.main()

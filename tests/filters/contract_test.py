@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names, defaults, ports and arrays: the public contract, written out."""
+
+import unittest
+
+import numpy
+from vtkmodules.util.vtkConstants import VTK_DOUBLE
+
+from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
+                                 vtkFoamStatistics)
+from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_of, single, times)
+
+EQUILIBRATOR = {
+    "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "Sweep": 0,
+    "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
+    "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
+    "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
+}
+DEFAULTS = {
+    vtkFoamPoints: {"NumberOfPoints": 2000, "Spacing": 1, "Jitter": 1, "Seed": 1},
+    vtkFoamFromPoints: {
+        "Boundary": 0, "PeriodicBounds": (0, 0, 0, 0), "TargetAreas": 0, "TargetAreaArray": "",
+        "SurfaceTension": 0.25, "FinSize": 0, "Equilibrate": True, **EQUILIBRATOR},
+    vtkFoamCoarsen: {
+        "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
+        "T2Area": 0.05, "Thresholds": 0, "Alpha": 0.05, "TwoSidedBubbles": 0,
+        "KeyframeInterval": 10, "KeyframeMemory": 256, **EQUILIBRATOR},
+    vtkFoamStatistics: {"IncludeBoundary": False},
+}
+FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",
+              "HalfAngle", "OnBoundary"]
+FIELD_PER_BUBBLE = ["BubbleId", "BubblePressure", "BubbleTargetArea"]
+FIELD_SINGLE = ["TimeValue", "SurfaceTension", "Boundary", "PeriodicBounds", "Energy",
+                "MaxAngleError", "MaxAreaError", "Residual", "Converged", "Iterations", "T1Count",
+                "T2Count", "T3Count", "FormatVersion"]
+BUBBLE_CELLS = ["BubbleId", "Area", "TargetArea", "Pressure", "Sides", "Perimeter", "OnBoundary"]
+SUMMARY = ["Time", "Bubbles", "MeanSides", "Mu2", "MeanArea", "AreaSecondMoment", "Energy",
+           "AboavA", "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError",
+           "MaxAreaError"]
+BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", "AboavIdeal",
+            "MeanArea"]
+
+
+def names(attributes):
+    return [attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())]
+
+
+def columns(table):
+    return [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
+
+
+class Properties(unittest.TestCase):
+    def test_defaults(self):
+        for filter_class, defaults in DEFAULTS.items():
+            for name, value in defaults.items():
+                with self.subTest(filter_class=filter_class.__name__, name=name):
+                    self.assertEqual(getattr(filter_class(), "Get" + name)(), value)
+
+    def test_ports(self):
+        for filter_class, ports in [(vtkFoamPoints, 1), (vtkFoamFromPoints, 2),
+                                    (vtkFoamCoarsen, 2), (vtkFoamStatistics, 3)]:
+            self.assertEqual(filter_class().GetNumberOfOutputPorts(), ports)
+
+    def test_printing(self):
+        for filter_class, defaults in DEFAULTS.items():
+            text = str(filter_class())
+            for name in defaults:
+                self.assertIn(name + ":", text)
+
+
+class Points(unittest.TestCase):
+    def test_same_seed_same_points(self):
+        def points(seed):
+            source = vtkFoamPoints()
+            source.SetNumberOfPoints(50)
+            source.SetSeed(seed)
+            source.Update()
+            output = source.GetOutput()
+            self.assertEqual(output.GetPoints().GetDataType(), VTK_DOUBLE)
+            return [output.GetPoint(i) for i in range(50)]
+
+        self.assertEqual(points(1), points(1))
+        self.assertNotEqual(points(1), points(2))
+
+    def test_seed_1_on_every_platform(self):
+        source = vtkFoamPoints()
+        source.SetNumberOfPoints(4)
+        source.SetJitter(0)
+        source.Update()
+        found = [source.GetOutput().GetPoint(i)[:2] for i in range(4)]
+        self.assertEqual(sorted(found), [(0.5, 0.5), (0.5, 1.5), (1.5, 0.5), (1.5, 1.5)])
+
+
+class Arrays(unittest.TestCase):
+    def check_films(self, films):
+        self.assertEqual(films.GetPoints().GetDataType(), VTK_DOUBLE)
+        self.assertEqual(names(films.GetPointData()), ["JunctionId"])
+        self.assertEqual(names(films.GetCellData()), FILM_CELLS)
+        self.assertEqual(sorted(names(films.GetFieldData())),
+                         sorted(FIELD_PER_BUBBLE + FIELD_SINGLE))
+        for name in ("LeftBubble", "RightBubble"):
+            self.assertEqual(films.GetCellData().GetArray(name).GetClassName(), "vtkIdTypeArray")
+        self.assertEqual(single(films, "FormatVersion"), 1)
+        bounds = films.GetFieldData().GetArray("PeriodicBounds")
+        self.assertEqual(bounds.GetNumberOfValues(), 4)
+
+    def check_bubbles(self, films, bubbles):
+        self.assertEqual(names(bubbles.GetCellData()), BUBBLE_CELLS)
+        ids = column(films.GetFieldData(), "BubbleId")
+        self.assertTrue((numpy.diff(ids) > 0).all())
+        cells = bubbles.GetCellData()
+        self.assertTrue((column(cells, "BubbleId") == ids).all())
+        for name in ("Pressure", "TargetArea"):
+            self.assertTrue((column(cells, name) ==
+                             column(films.GetFieldData(), "Bubble" + name)).all())
+
+    def check_films_against_bubbles(self, films, bubbles):
+        """The films' values follow from their bubbles and their polylines."""
+        ids = column(films.GetFieldData(), "BubbleId")
+        pressure = {-1: 0.0, **dict(zip(ids, column(films.GetFieldData(), "BubblePressure")))}
+        sides = dict.fromkeys(ids, 0)
+        perimeter = dict.fromkeys(ids, 0.0)
+        cells = films.GetCellData()
+        left, right = column(cells, "LeftBubble"), column(cells, "RightBubble")
+        difference = column(cells, "PressureDifference")
+        gamma = single(films, "SurfaceTension")
+        junction = column(films.GetPointData(), "JunctionId")
+        for i in range(films.GetNumberOfLines()):
+            self.assertEqual(difference[i], pressure[left[i]] - pressure[right[i]])
+            # Laplace and Young: p_left − p_right = 2γ·curvature.
+            self.assertAlmostEqual(difference[i], 2 * gamma * column(cells, "Curvature")[i], 7)
+            self.assertEqual(column(cells, "OnBoundary")[i], -1 in (left[i], right[i]))
+            length = column(cells, "Length")[i]
+            for b in {left[i], right[i]} - {-1}:
+                sides[b] += 1
+                perimeter[b] += length
+            points = films.GetCell(i).GetPointIds()
+            ids_along = [junction[points.GetId(k)] for k in range(points.GetNumberOfIds())]
+            self.assertTrue(min(ids_along[0], ids_along[-1]) >= 0)
+            self.assertTrue(all(j == -1 for j in ids_along[1:-1]))
+            chain = numpy.array([films.GetPoint(points.GetId(k))
+                                 for k in range(points.GetNumberOfIds())])
+            polyline = numpy.linalg.norm(numpy.diff(chain, axis=0), axis=1).sum()
+            self.assertLessEqual(polyline, length * (1 + 1e-12))
+            self.assertGreater(polyline, length * 0.9)
+            # The curvature is positive where the film bulges to the right.
+            chord = chain[-1] - chain[0]
+            middle = chain[len(chain) // 2] - chain[0]
+            if len(chain) > 2:
+                self.assertEqual(numpy.cross(chord, middle)[2] < 0, column(cells, "Curvature")[i] > 0)
+        self.assertEqual(list(column(bubbles.GetCellData(), "Sides")), [sides[b] for b in ids])
+        numpy.testing.assert_allclose(column(bubbles.GetCellData(), "Perimeter"),
+                                      [perimeter[b] for b in ids], rtol=1e-12)
+        self.assertAlmostEqual(single(films, "Energy"), 2 * gamma * column(cells, "Length").sum(), 9)
+
+    def check_polygons(self, films, bubbles, bounds=None):
+        areas = column(bubbles.GetCellData(), "Area")
+        for i in range(bubbles.GetNumberOfPolys()):
+            points = bubbles.GetCell(i).GetPoints()
+            p = numpy.array([points.GetPoint(k)[:2] for k in range(points.GetNumberOfPoints())])
+            q = numpy.roll(p, -1, axis=0)
+            cross = p[:, 0] * q[:, 1] - q[:, 0] * p[:, 1]
+            area = cross.sum() / 2
+            self.assertAlmostEqual(area / areas[i], 1, 1)
+            # Drawn as a fan of triangles around its first point it covers no more than itself.
+            fan = numpy.cross(p[1:-1] - p[0], p[2:] - p[0]) / 2
+            self.assertLess(-fan[fan < 0].sum() / area, 1e-3)
+            if bounds is not None:
+                x, y = ((p + q) * cross[:, None]).sum(axis=0) / (6 * area)
+                self.assertTrue(bounds[0] <= x <= bounds[1] and bounds[2] <= y <= bounds[3])
+
+    def test_free(self):
+        foam = foam_of_points(60)
+        foam.Update()
+        films, bubbles = foam.GetOutput(0), foam.GetOutput(1)
+        self.check_films(films)
+        self.check_bubbles(films, bubbles)
+        self.check_films_against_bubbles(films, bubbles)
+        self.check_polygons(films, bubbles)
+        self.assertEqual(films.GetNumberOfLines(), 3 * 60 - 3)
+        self.assertEqual(single(films, "Boundary"), 0)
+        self.assertEqual(single(films, "Converged"), 1)
+        self.assertLess(single(films, "MaxAngleError"), 1e-8)
+        self.assertLess(single(films, "MaxAreaError"), 1e-9)
+        self.assertEqual(single(films, "TimeValue"), 0)
+        self.assertEqual(list(column(films.GetFieldData(), "BubbleId")), list(range(60)))
+
+    def test_periodic(self):
+        foam = foam_of_points(60, periodic=True)
+        foam.SetPeriodicBounds(0, 8, 0, 8)
+        foam.Update()
+        films, bubbles = foam.GetOutput(0), foam.GetOutput(1)
+        self.check_films(films)
+        self.check_bubbles(films, bubbles)
+        self.check_films_against_bubbles(films, bubbles)
+        self.check_polygons(films, bubbles, (0, 8, 0, 8))
+        self.assertEqual(films.GetNumberOfLines(), 3 * 60)
+        self.assertEqual(single(films, "Boundary"), 1)
+        bounds = films.GetFieldData().GetArray("PeriodicBounds")
+        self.assertEqual([bounds.GetValue(i) for i in range(4)], [0, 8, 0, 8])
+        self.assertFalse(column(films.GetCellData(), "OnBoundary").any())
+        self.assertAlmostEqual(column(bubbles.GetCellData(), "Area").sum(), 64, 8)
+
+    def test_fixed(self):
+        foam = foam_of_points(30, Boundary=vtkFoamFromPoints.Fixed)
+        foam.Update()
+        films = foam.GetOutput(0)
+        self.check_films(films)
+        self.assertEqual(single(films, "Boundary"), 2)
+        wall = column(films.GetCellData(), "OnBoundary") == 1
+        self.assertTrue(wall.any())
+        self.assertTrue((column(films.GetCellData(), "Curvature")[wall] == 0).all())
+
+    def test_initial_mesh(self):
+        foam = foam_of_points(60, Equilibrate=False)
+        foam.Update()
+        films = foam.GetOutput(0)
+        self.check_films(films)
+        self.assertEqual(single(films, "Converged"), 0)
+        self.assertGreater(single(films, "MaxAngleError"), 0.1)
+        self.assertTrue((column(films.GetCellData(), "HalfAngle") == 0).all())
+
+    def test_any_point_set_in_any_plane(self):
+        from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+        plane = points_of([(x + 0.1 * y * y, y, 7.0) for x in range(4) for y in range(4)])
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(plane.GetPoints())
+        foam = vtkFoamFromPoints()
+        foam.SetInputData(grid)
+        foam.Update()
+        self.assertEqual(foam.GetOutput(1).GetNumberOfPolys(), 16)
+        self.assertEqual(foam.GetOutput(1).GetBounds()[4:], (0, 0))
+
+    def test_target_areas(self):
+        coordinates = [(x + 0.1 * y, y + 0.05 * x * x) for x in range(4) for y in range(4)]
+        areas = [1 + 0.02 * i for i in range(16)]
+        foam = vtkFoamFromPoints()
+        foam.SetInputData(points_of(coordinates, Wanted=areas))
+        foam.SetTargetAreas(vtkFoamFromPoints.Array)
+        foam.SetTargetAreaArray("Wanted")
+        foam.Update()
+        cells = foam.GetOutput(1).GetCellData()
+        self.assertEqual(list(column(cells, "TargetArea")), areas)
+        numpy.testing.assert_allclose(column(cells, "Area"), areas, rtol=1e-9)
+        foam.SetTargetAreas(vtkFoamFromPoints.Uniform)
+        foam.Update()
+        areas = column(foam.GetOutput(1).GetCellData(), "TargetArea")
+        self.assertEqual(areas.min(), areas.max())
+
+    def test_chord_error(self):
+        foam = foam_of_points(60)
+        foam.Update()
+        coarse = foam.GetOutput(0).GetNumberOfPoints()
+        foam.SetChordError(1e-5)
+        foam.Update()
+        self.assertGreater(foam.GetOutput(0).GetNumberOfPoints(), 2 * coarse)
+
+    def test_first_piece_has_the_foam(self):
+        foam = foam_of_points(60)
+        coarsen = coarsening_of(foam)
+        statistics = vtkFoamStatistics()
+        statistics.SetInputConnection(coarsen.GetOutputPort())
+        for piece, rows in ((1, 0), (0, 1)):
+            statistics.UpdatePiece(piece, 2, 0)
+            self.assertEqual(statistics.GetOutput(0).GetNumberOfRows(), rows)
+            self.assertEqual(foam.GetOutput(0).GetNumberOfLines() > 0, rows == 1)
+
+    def test_coarsened(self):
+        coarsen = coarsening_of(foam_of_points(60))
+        films, bubbles = go_to(coarsen, 5)
+        self.check_films(films)
+        self.check_bubbles(films, bubbles)
+        self.check_films_against_bubbles(films, bubbles)
+        self.assertEqual(single(films, "TimeValue"), times(coarsen)[5])
+        information = coarsen.GetOutput(1).GetInformation()
+        self.assertEqual(information.Get(films.DATA_TIME_STEP()), times(coarsen)[5])
+
+
+class Statistics(unittest.TestCase):
+    def setUp(self):
+        self.coarsen = coarsening_of(foam_of_points(60, periodic=True))
+        self.films, self.bubbles = go_to(self.coarsen, 12)
+        self.statistics = vtkFoamStatistics()
+        self.statistics.SetInputData(self.films)
+        self.statistics.Update()
+
+    def test_columns(self):
+        tables = [self.statistics.GetOutput(i) for i in range(3)]
+        self.assertEqual([columns(t) for t in tables], [SUMMARY, BY_SIDES, BUBBLE_CELLS])
+        for table in tables:
+            self.assertEqual(table.GetFieldData().GetNumberOfArrays(), 0)
+
+    def test_summary(self):
+        summary = self.statistics.GetOutput(0)
+        self.assertEqual(summary.GetNumberOfRows(), 1)
+        value = {name: summary.GetValueByName(0, name).ToDouble() for name in SUMMARY}
+        sides = column(self.bubbles.GetCellData(), "Sides")
+        areas = column(self.bubbles.GetCellData(), "Area")
+        self.assertEqual(value["Time"], times(self.coarsen)[12])
+        self.assertEqual(value["Bubbles"], len(sides))
+        self.assertAlmostEqual(value["MeanSides"], 6, 12)
+        self.assertAlmostEqual(value["Mu2"], ((sides - 6.0) ** 2).mean(), 12)
+        self.assertAlmostEqual(value["MeanArea"], areas.mean(), 12)
+        self.assertAlmostEqual(value["AreaSecondMoment"], (areas ** 2).mean() / areas.mean() ** 2, 12)
+        for name in ("Energy", "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError",
+                     "MaxAreaError"):
+            self.assertEqual(value[name], single(self.films, name), name)
+
+    def test_by_sides(self):
+        table = self.statistics.GetOutput(1)
+        sides = column(self.bubbles.GetCellData(), "Sides")
+        areas = column(self.bubbles.GetCellData(), "Area")
+        self.assertEqual(table.GetNumberOfRows(), len(set(sides)))
+        for row, n in enumerate(sorted(set(sides))):
+            value = {name: table.GetValueByName(row, name).ToDouble() for name in BY_SIDES}
+            self.assertEqual(value["Sides"], n)
+            self.assertEqual(value["Count"], (sides == n).sum())
+            self.assertAlmostEqual(value["Fraction"], (sides == n).mean(), 12)
+            self.assertAlmostEqual(value["AboavProduct"], n * value["MeanNeighbourSides"], 12)
+            self.assertAlmostEqual(value["AboavIdeal"], 5 * n + 7.4, 12)
+            self.assertAlmostEqual(value["MeanArea"], areas[sides == n].mean() / areas.mean(), 12)
+
+    def test_bubbles(self):
+        table = self.statistics.GetOutput(2)
+        self.assertEqual(table.GetNumberOfRows(), self.bubbles.GetNumberOfPolys())
+        for name in BUBBLE_CELLS:
+            expected = column(self.bubbles.GetCellData(), name)
+            found = [table.GetValueByName(i, name).ToDouble() for i in range(len(expected))]
+            numpy.testing.assert_allclose(found, expected, rtol=1e-13)
+
+    def test_boundary(self):
+        foam = foam_of_points(60)
+        statistics = vtkFoamStatistics()
+        statistics.SetInputConnection(foam.GetOutputPort(0))
+        statistics.Update()
+        on_boundary = column(foam.GetOutput(1).GetCellData(), "OnBoundary")
+        self.assertEqual(statistics.GetOutput(0).GetValueByName(0, "Bubbles").ToInt(),
+                         60 - on_boundary.sum())
+        self.assertEqual(statistics.GetOutput(2).GetNumberOfRows(), 60)
+        statistics.IncludeBoundaryOn()
+        statistics.Update()
+        self.assertEqual(statistics.GetOutput(0).GetValueByName(0, "Bubbles").ToInt(), 60)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""FoamCoarsen in time: any order of frames, keyframes, changed properties, abort, the end."""
+
+import math
+import time
+import unittest
+
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints
+from foam_testing import (Messages, coarsening_of, column, copy, differences, foam_of_points, go_to,
+                          points_of, set_properties, single, times)
+
+
+def work(action):
+    """Processor time that an action takes, s."""
+    start = time.process_time()
+    action()
+    return time.process_time() - start
+
+
+class Times(unittest.TestCase):
+    def test_offered(self):
+        coarsen = coarsening_of(foam_of_points(), NumberOfFrames=3, TimeStep=0.1)
+        self.assertEqual(times(coarsen), [0, 0.1, 0.1 + 0.1, 0.1 + 0.1 + 0.1])
+
+    def test_begin_at_the_time_of_the_input(self):
+        first = coarsening_of(foam_of_points(), NumberOfFrames=20)
+        films, _ = go_to(first, 20)
+        second = coarsening_of(films, NumberOfFrames=5)
+        offered = times(second)
+        self.assertEqual(offered[0], times(first)[20])
+        self.assertEqual(single(go_to(second, 5)[0], "TimeValue"), offered[5])
+
+    def test_temporal_input_is_taken_at_its_first_time(self):
+        first = coarsening_of(foam_of_points(), NumberOfFrames=4)
+        second = coarsening_of(first, NumberOfFrames=3, TimeStep=0.01)
+        reference = [go_to(coarsening_of(foam_of_points(), TimeStep=0.01), k)[0] for k in range(4)]
+        for frame in (0, 3, 1):
+            go_to(first, frame)
+            self.assertEqual(differences(go_to(second, frame)[0], reference[frame]), [])
+
+    def test_between_frames(self):
+        coarsen = coarsening_of(foam_of_points())
+        offered = times(coarsen)
+        for time_asked, frame in [(-1, 0), (offered[2] * (1 + 1e-12), 2), (offered[3] - 1e-12, 3),
+                                  (0.9 * offered[4] + 0.1 * offered[3], 3)]:
+            coarsen.UpdateTimeStep(time_asked)
+            self.assertEqual(single(coarsen.GetOutput(0), "TimeValue"), offered[frame])
+
+    def test_after_the_last_frame(self):
+        coarsen = coarsening_of(foam_of_points(), NumberOfFrames=2)
+        coarsen.UpdateTimeStep(100)
+        self.assertEqual(single(coarsen.GetOutput(0), "TimeValue"), times(coarsen)[2])
+
+    def test_no_time_asked(self):
+        coarsen = coarsening_of(foam_of_points())
+        coarsen.Update()
+        self.assertEqual(single(coarsen.GetOutput(0), "TimeValue"), 0)
+
+
+class Scrubbing(unittest.TestCase):
+    ORDER = [35, 12, 13, 0, 40, 9, 10, 11, 31, 30, 29, 3]
+
+    @classmethod
+    def setUpClass(cls):
+        cls.foam = foam_of_points()
+        forward = coarsening_of(cls.foam)
+        cls.frames = [go_to(forward, k) for k in range(41)]
+
+    def check(self, coarsen, order=None):
+        for frame in order or self.ORDER:
+            films, bubbles = go_to(coarsen, frame)
+            self.assertEqual(differences(films, self.frames[frame][0]), [], frame)
+            self.assertEqual(differences(bubbles, self.frames[frame][1]), [], frame)
+
+    def test_same_bits_in_any_order(self):
+        self.check(coarsening_of(self.foam))
+
+    def test_little_memory(self):
+        for memory in (0, 1):
+            self.check(coarsening_of(self.foam, KeyframeMemory=memory))
+
+    def test_memory_taken_away(self):
+        coarsen = coarsening_of(self.foam)
+        self.check(coarsen, [40])
+        coarsen.SetKeyframeMemory(0)
+        self.check(coarsen, [40, 39])
+
+    def test_keyframes_and_looks_spare_work(self):
+        coarsen = coarsening_of(foam_of_points(500, periodic=True))
+        go_to(coarsen, 0)
+        full = work(lambda: go_to(coarsen, 40))
+        self.assertLess(work(lambda: go_to(coarsen, 30)), full / 4)
+        self.assertLess(work(lambda: go_to(coarsen, 40)), full / 4)
+        for name, value in [("ChordError", 0.01), ("NumberOfFrames", 50), ("KeyframeMemory", 7)]:
+            getattr(coarsen, "Set" + name)(value)
+            self.assertLess(work(lambda: go_to(coarsen, 40)), full / 4, name)
+
+    def test_looks_keep_the_frames(self):
+        coarsen = coarsening_of(self.foam, ChordError=0.001, NumberOfFrames=50, KeyframeMemory=7)
+        go_to(coarsen, 25)
+        set_properties(coarsen, {"ChordError": 0, "NumberOfFrames": 45, "KeyframeMemory": 9})
+        self.check(coarsen, [25, 26])
+
+    def test_physics_begin_anew(self):
+        changes = {"TimeStep": 0.02, "Permeability": 2, "T1Length": 0.1, "T2Area": 0.1,
+                   "Thresholds": vtkFoamCoarsen.Relative, "TwoSidedBubbles": vtkFoamCoarsen.Slide,
+                   "KeyframeInterval": 7, "Tolerance": 1e-7, "MaximumIterations": 100}
+        coarsen = coarsening_of(self.foam)
+        for name, value in changes.items():
+            default = getattr(coarsen, "Get" + name)()
+            go_to(coarsen, 22)
+            getattr(coarsen, "Set" + name)(value)
+            changed, _ = go_to(coarsen, 22)
+            fresh, _ = go_to(coarsening_of(self.foam, **{name: value}), 22)
+            self.assertEqual(differences(changed, fresh), [], name)
+            getattr(coarsen, "Set" + name)(default)
+        self.check(coarsen, [22])
+
+    def test_new_input_begins_anew(self):
+        foam = foam_of_points()
+        coarsen = coarsening_of(foam)
+        go_to(coarsen, 5)
+        foam.SetSurfaceTension(0.5)
+        films, _ = go_to(coarsen, 5)
+        self.assertEqual(single(films, "SurfaceTension"), 0.5)
+        foam.SetSurfaceTension(0.25)
+        self.check(coarsen, [5])
+
+    def test_same_input_again_does_not(self):
+        foam = foam_of_points(500, periodic=True)
+        coarsen = coarsening_of(foam)
+        full = work(lambda: go_to(coarsen, 40))
+        foam.Modified()
+        self.assertLess(work(lambda: go_to(coarsen, 40)), full / 2)
+
+    def test_two_runs_give_the_same_bits(self):
+        for k in (1, 40):
+            films, bubbles = go_to(coarsening_of(foam_of_points()), k)
+            self.assertEqual(differences(films, self.frames[k][0]), [])
+            self.assertEqual(differences(bubbles, self.frames[k][1]), [])
+
+
+class Progress(unittest.TestCase):
+    def test_progress_and_abort(self):
+        foam = foam_of_points(300, periodic=True)
+        coarsen = coarsening_of(foam)
+        go_to(coarsen, 0)
+        seen = []
+
+        def stop(*_):
+            seen.append(coarsen.GetProgress())
+            if coarsen.GetProgress() > 0.02:
+                coarsen.SetAbortExecute(True)
+                seen.append(time.perf_counter())
+
+        tag = coarsen.AddObserver("ProgressEvent", stop)
+        films, bubbles = go_to(coarsen, 300)
+        self.assertLess(time.perf_counter() - seen[-1 if seen[-1] > 1 else -2], 1)
+        reached = single(films, "TimeValue")
+        offered = times(coarsen)
+        frame = offered.index(reached)
+        self.assertTrue(0 < frame < 300, frame)
+        self.assertGreater(films.GetNumberOfLines(), 0)
+        self.assertGreater(bubbles.GetNumberOfPolys(), 0)
+
+        coarsen.RemoveObserver(tag)
+        fresh = coarsening_of(foam)
+        self.assertEqual(differences(go_to(fresh, frame)[0], films), [])
+        self.assertEqual(differences(go_to(coarsen, frame + 3)[0], go_to(fresh, frame + 3)[0]), [])
+
+    def test_abort_while_building(self):
+        foam = foam_of_points(3000)
+        foam.AddObserver("ProgressEvent", lambda *_: foam.SetAbortExecute(foam.GetProgress() > 0))
+        messages = Messages(foam)
+        start = time.perf_counter()
+        foam.Update()
+        self.assertLess(time.perf_counter() - start, 3)
+        self.assertEqual(messages.errors, [])
+        self.assertEqual(foam.GetOutput(1).GetNumberOfPolys(), 3000)
+        self.assertEqual(single(foam.GetOutput(0), "Converged"), 0)
+
+
+class Warnings(unittest.TestCase):
+    def test_the_end_of_a_run(self):
+        """Four bubbles coarsen to two; one would have no junction."""
+        foam = vtkFoamFromPoints()
+        foam.SetInputData(points_of([(0, 0), (1, 0.1), (0.3, 1), (1.2, 1.3)]))
+        coarsen = coarsening_of(foam, NumberOfFrames=400, T2Area=0.001, T1Length=0.001)
+        messages = Messages(coarsen)
+        films, bubbles = go_to(coarsen, 400)
+        self.assertEqual(messages.errors, [])
+        self.assertEqual(len(messages.warnings), 1, messages.warnings)
+        self.assertIn("ended at time", messages.warnings[0])
+        self.assertEqual(bubbles.GetNumberOfPolys(), 2)
+        offered = times(coarsen)
+        self.assertEqual(single(films, "TimeValue"), offered[400])
+        earlier, _ = go_to(coarsen, 390)
+        self.assertEqual(single(earlier, "TimeValue"), offered[390])
+        self.assertEqual(list(column(earlier.GetCellData(), "Length")),
+                         list(column(films.GetCellData(), "Length")))
+        self.assertEqual(len(messages.warnings), 1)
+        again, _ = go_to(coarsening_of(films), 5)
+        self.assertEqual(list(column(again.GetCellData(), "Length")),
+                         list(column(films.GetCellData(), "Length")))
+
+    def test_not_converged(self):
+        foam = foam_of_points()
+        foam.SetMaximumIterations(1)
+        messages = Messages(foam)
+        foam.Update()
+        self.assertEqual(len(messages.warnings), 1)
+        self.assertIn("residual", messages.warnings[0])
+        self.assertEqual(single(foam.GetOutput(0), "Converged"), 0)
+
+        coarsen = coarsening_of(foam_of_points(), MaximumIterations=1, KeyframeInterval=2)
+        messages = Messages(coarsen)
+        films = [go_to(coarsen, k)[0] for k in range(6)]
+        flagged = sum(single(f, "Converged") == 0 for f in films)
+        self.assertEqual(len(messages.warnings), flagged)
+        self.assertEqual(messages.errors, [])
+        go_to(coarsen, 3)
+        self.assertEqual(len(messages.warnings), flagged)
+
+
+class Static(unittest.TestCase):
+    def test_films_without_a_pipeline(self):
+        foam = foam_of_points()
+        foam.Update()
+        producer = vtkTrivialProducer()
+        producer.SetOutput(copy(foam.GetOutput(0)))
+        coarsen = vtkFoamCoarsen()
+        coarsen.SetInputConnection(producer.GetOutputPort())
+        films, _ = go_to(coarsen, 3)
+        self.assertEqual(differences(films, go_to(coarsening_of(foam), 3)[0]), [])
+
+    def test_no_diffusion_no_change(self):
+        coarsen = coarsening_of(foam_of_points(), Permeability=0)
+        settled, _ = go_to(coarsen, 1)  # bubbles that are small from the start have vanished
+        last, _ = go_to(coarsen, 15)
+        self.assertTrue(
+            math.isclose(single(last, "Energy"), single(settled, "Energy"), rel_tol=1e-9))
+
+
+if __name__ == "__main__":
+    unittest.main()

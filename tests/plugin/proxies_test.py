@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Names, defaults, choices and ports of the proxies: the public contract, written out."""
+
+import os
+import unittest
+
+from paraview import servermanager, simple
+
+import foam.vtkFoamFilters  # lets Python see the filters behind the proxies
+
+simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
+
+EQUILIBRATOR = {
+    "Equilibrator": "Newton", "Device": "Auto", "Tolerance": 1e-9, "MaximumIterations": 256,
+    "Sweep": "Jacobi", "EnergyDecay": 1, "OrientationInvariant": 0, "Damping": 0.1,
+    "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
+    "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
+}
+EQUILIBRATOR_CHOICES = {
+    "Equilibrator": ["Newton", "Junction"], "Device": ["Auto", "CPU", "CUDA"],
+    "Sweep": ["Jacobi", "GaussSeidel"],
+}
+PROXIES = {
+    "FoamPoints": {"NumberOfPoints": 2000, "Spacing": 1, "Jitter": 1, "Seed": 1},
+    "FoamFromPoints": {
+        "Boundary": "Free", "PeriodicBounds": [0, 0, 0, 0], "TargetAreas": "Initial",
+        "SurfaceTension": 0.25, "FinSize": 0, "Equilibrate": 1, **EQUILIBRATOR},
+    "FoamCoarsen": {
+        "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
+        "T2Area": 0.05, "Thresholds": "Absolute", "Alpha": 0.05, "TwoSidedBubbles": "Remove",
+        "KeyframeInterval": 10, "KeyframeMemory": 256, **EQUILIBRATOR},
+    "FoamStatistics": {"IncludeBoundary": 0},
+}
+OTHER_PROPERTIES = {
+    "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
+    "FoamCoarsen": {"Input", "TimestepValues"}, "FoamStatistics": {"Input"},
+}
+CHOICES = {
+    "FoamPoints": {},
+    "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
+                       "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
+    "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
+                    **EQUILIBRATOR_CHOICES},
+    "FoamStatistics": {},
+}
+PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
+         "FoamCoarsen": ["Films", "Bubbles"], "FoamStatistics": ["Summary", "BySides", "Bubbles"]}
+JUNCTION_ONLY = {"Sweep", "EnergyDecay", "OrientationInvariant", "Damping", "FiniteDifferenceStep",
+                 "JacobianTolerance", "PressureTolerance", "PositionTolerance", "MinimumScale"}
+
+
+class Proxies(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        points = FoamPoints(NumberOfPoints=30)
+        foam = FoamFromPoints(Input=points)
+        coarsen = FoamCoarsen(Input=foam)
+        statistics = FoamStatistics(Input=coarsen)
+        cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
+                       "FoamStatistics": statistics}
+
+    def test_defaults(self):
+        for name, defaults in PROXIES.items():
+            proxy = self.proxies[name]
+            for key, value in defaults.items():
+                if (name, key) == ("FoamPoints", "NumberOfPoints"):
+                    continue  # set above
+                found = getattr(proxy, key)
+                found = list(found) if isinstance(value, list) else found
+                self.assertEqual(found, value, (name, key))
+        self.assertEqual(FoamPoints().NumberOfPoints, 2000)
+
+    def test_no_other_properties(self):
+        for name, defaults in PROXIES.items():
+            self.assertEqual(set(self.proxies[name].ListProperties()),
+                             set(defaults) | OTHER_PROPERTIES[name], name)
+
+    def test_choices(self):
+        for name, choices in CHOICES.items():
+            for key, entries in choices.items():
+                domain = self.proxies[name].GetProperty(key).SMProperty.FindDomain(
+                    "vtkSMEnumerationDomain")
+                found = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
+                self.assertEqual(found, entries, (name, key))
+
+    def test_ports(self):
+        for name, ports in PORTS.items():
+            proxy = self.proxies[name].SMProxy
+            if ports:
+                found = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
+                self.assertEqual(found, ports, name)
+
+    def test_documentation(self):
+        for name, proxy in self.proxies.items():
+            text = proxy.SMProxy.GetDocumentation()
+            for words in (text.GetDescription(), text.GetShortHelp(), text.GetLongHelp()):
+                self.assertGreater(len(words or ""), 15, name)
+            for key in proxy.ListProperties():
+                documentation = proxy.GetProperty(key).SMProperty.GetDocumentation()
+                self.assertGreater(len(documentation.GetDescription() or ""), 15, (name, key))
+
+    def test_menu(self):
+        for name, proxy in self.proxies.items():
+            menu = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
+            self.assertEqual(menu.GetAttribute("category"), "Foam", name)
+
+    def test_properties_that_only_sometimes_matter_are_hidden(self):
+        for name in ("FoamFromPoints", "FoamCoarsen"):
+            for key in PROXIES[name]:
+                hints = self.proxies[name].GetProperty(key).SMProperty.GetHints()
+                decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+                depends = decorator and (decorator.GetAttribute("property"),
+                                         decorator.GetAttribute("value"))
+                if key in JUNCTION_ONLY:
+                    self.assertEqual(depends, ("Equilibrator", "1"), key)
+                elif key == "Alpha":
+                    self.assertEqual(depends, ("Thresholds", "1"))
+                elif key in ("T1Length", "T2Area"):
+                    self.assertEqual(depends, ("Thresholds", "0"))
+
+    def test_properties_reach_the_filters(self):
+        """Every property, set to another value, is there in the VTK object."""
+        other = {"Newton": ("Junction", 1), "Auto": ("CPU", 1), "Jacobi": ("GaussSeidel", 1),
+                 "Free": ("Periodic", 1), "Initial": ("Uniform", 1), "Absolute": ("Relative", 1),
+                 "Remove": ("Slide", 1)}
+        self.assertTrue(foam.vtkFoamFilters)
+        for name, defaults in PROXIES.items():
+            proxy = servermanager.CreateProxy(
+                "sources" if name == "FoamPoints" else "filters", name)
+            proxy.UpdateVTKObjects()
+            vtk_object = proxy.GetClientSideObject()
+            for key, value in defaults.items():
+                prop = proxy.GetProperty(key)
+                if isinstance(value, list):
+                    expected = tuple(float(i) for i in range(len(value)))
+                    for i, v in enumerate(expected):
+                        prop.SetElement(i, v)
+                else:
+                    expected = (other[value][1] if isinstance(value, str) else
+                                1 - value if value in (0, 1) else value * 2)
+                    prop.SetElement(0, expected)
+                proxy.UpdateVTKObjects()
+                self.assertEqual(getattr(vtk_object, "Get" + key)(), expected, (name, key))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -50,8 +50,9 @@ std::vector<Vec2> jittered_grid(Index count, double spacing, double jitter, std:
   for (Index i = 0; i < count; ++i) {
     const double in_cell_x = 0.5 + jitter * (random.uniform() - 0.5);
     const double in_cell_y = 0.5 + jitter * (random.uniform() - 0.5);
-    points[Foam::size(i)] = {spacing * (i % columns + in_cell_x),
-                             spacing * (i / columns + in_cell_y)};
+    const Index column = i % columns;
+    const Index row = i / columns;
+    points[Foam::size(i)] = {spacing * (column + in_cell_x), spacing * (row + in_cell_y)};
   }
   return points;
 }

@@ -43,6 +43,6 @@ FilmSet film_set(const Foam& foam);
 /// The foam of a list of films. A function of the list alone: the same list gives the same foam,
 /// bit for bit, and film_set(foam_of(list)) is the list. \throws FoamError if the films do not make
 /// a valid foam; the message names the element.
-Foam foam_of(const FilmSet& films);
+Foam foam_of(const FilmSet& set);
 
 } // namespace foam

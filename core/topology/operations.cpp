@@ -82,7 +82,7 @@ private:
 /// A circle (or line) through a point, by tangent and curvature; > 0 bends to the left.
 struct Circle {
   Vec2 point, tangent;
-  double curvature;
+  double curvature = 0;
 
   /// Zero on the circle; its gradient has unit length there.
   double value(Vec2 x) const {

@@ -110,7 +110,9 @@ void read_state(vtkFieldData* data, FilmSet& set) {
       static_cast<int>(single_integer(data, "Iterations", 0, std::numeric_limits<int>::max()));
   set.report.max_angle_error = single(data, "MaxAngleError");
   set.report.max_area_error = single(data, "MaxAreaError");
-  set.report.residual = single(data, "Residual");
+  if (data->HasArray("Residual")) {
+    set.report.residual = single(data, "Residual");
+  }
 
   const vtkIdType count = Column::find(data, "BubbleId")->GetNumberOfTuples();
   const Column id(data, "BubbleId", count, "bubble");

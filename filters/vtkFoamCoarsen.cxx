@@ -139,6 +139,9 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   if (this->NumberOfFrames < 0) {
     foam::filters::fail("NumberOfFrames must be at least 0, but is ", this->NumberOfFrames);
   }
+  if (this->KeyframeMemory < 0) {
+    foam::filters::fail("KeyframeMemory must be at least 0 MiB, but is ", this->KeyframeMemory);
+  }
 
   auto films = foam::filters::read_films(vtkPolyData::GetData(inputs[0]));
   if (this->TimeStep > 0 && !TimeCanPass(films.time, this->TimeStep)) {
@@ -171,7 +174,8 @@ void vtkFoamCoarsen::AdvanceTo(int frame) {
     this->Run->EndTold = true;
     vtkWarningMacro("The foam ended at time "
                     << timeline.end_time() << " s, frame " << *timeline.end()
-                    << ": a bubble would vanish that cannot, such as one of the last two. "
+                    << ": it cannot go on, because a bubble would vanish that cannot (one of "
+                    << "the last two, say) or because no equilibrium was found. "
                     << "Later frames show the last foam.");
   }
 }

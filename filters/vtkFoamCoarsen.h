@@ -120,7 +120,7 @@ public:
    * Memory for keyframes, MiB; when it is full, every other keyframe is dropped. Frames are the
    * same with any. Default 256.
    */
-  vtkSetClampMacro(KeyframeMemory, int, 0, VTK_INT_MAX);
+  vtkSetMacro(KeyframeMemory, int);
   vtkGetMacro(KeyframeMemory, int);
   ///@}
 

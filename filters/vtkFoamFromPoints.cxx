@@ -135,6 +135,7 @@ int vtkFoamFromPoints::RequestData(vtkInformation* request, vtkInformationVector
     foam::Foam foam = foam::build_from_points(ReadPoints(input), options);
     foam.report.max_angle_error = foam::max_angle_error(foam);
     foam.report.max_area_error = foam::max_area_error(foam);
+    foam.report.residual = std::max(foam.report.max_angle_error, foam.report.max_area_error);
     if (this->Equilibrate) {
       try {
         equilibrator->equilibrate(foam, T1_LENGTH * foam.mean_spacing(),

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "build/dual_mesh.h"
-#include "build/number.h"
 #include "build/triangulation.h"
+#include "mesh/number.h"
 
 namespace foam {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "build/number.h"
+#include "mesh/number.h"
 
 namespace foam {
 namespace {

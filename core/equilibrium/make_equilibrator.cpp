@@ -3,12 +3,13 @@
 
 #include "equilibrium/newton_equilibrator.h"
 #include "junction/junction_equilibrator.h"
+#include "mesh/number.h"
 
 namespace foam {
 
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-    throw FoamError("Tolerance must be positive, but is " + std::to_string(options.tolerance));
+    throw FoamError("Tolerance must be positive, but is " + number(options.tolerance));
   }
   if (options.maximum_iterations < 1) {
     throw FoamError("MaximumIterations must be at least 1, but is " +

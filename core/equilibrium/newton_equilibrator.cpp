@@ -195,14 +195,12 @@ std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, const LagrangianSy
   std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
     return a.length < b.length || (a.length == b.length && a.film < b.film);
   });
-  const auto spares_a_side = [&](Index b) { return b == kWorld || foam.sides[Foam::size(b)] > 3; };
   std::vector<Index> touched;
   std::vector<Index> used;
   for (const auto& [length, f] : candidates) {
     const std::array ends{foam.start(2 * f), foam.end(2 * f)};
     const bool free_ends = std::ranges::find_first_of(used, ends) == used.end();
-    if (free_ends && spares_a_side(foam.left(2 * f)) && spares_a_side(foam.right(2 * f)) &&
-        can_perform_t1(foam, f) && pulled_shut(foam, f)) {
+    if (free_ends && spares_sides(foam, f) && can_perform_t1(foam, f) && pulled_shut(foam, f)) {
       perform_t1(foam, f);
       ++swaps_[Foam::size(f)];
       used.insert(used.end(), ends.begin(), ends.end());

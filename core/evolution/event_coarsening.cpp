@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
+#include "mesh/validate.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
 #include "topology/swap_rule.h"
@@ -18,32 +21,38 @@ constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets sma
 constexpr double kSmallestLength = 1e-4; // of the mean spacing: no T1 length is shorter
 constexpr double kLargestChange = 0.25;  // of a film's chord along one response
 constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
-constexpr int kLargestCascade = 64;        // rounds of events and relaxation at one instant
+constexpr int kRounds = 64;                // of events and relaxation in a frame,
+constexpr int kRoundsPerBubble = 8;        // and so many more for every bubble
 
 double smallest_area(const Foam& foam) {
   const double spacing = foam.mean_spacing();
   return kSmallestArea * spacing * spacing;
 }
 
-/// The films by which a bubble can lose a side to a neighbour that can spare one too, the shortest
-/// first.
+/// The films by which a bubble can lose a side, the shortest first, but those last whose other
+/// bubble cannot well spare one.
 std::vector<Index> films_to_swap(const Foam& foam, Index bubble) {
   std::vector<Index> films;
   for_each_half(foam, bubble, [&](Index h) {
-    const Index neighbour = foam.right(h);
-    const bool spares = neighbour == kWorld || foam.sides[Foam::size(neighbour)] > 3;
-    if (spares && can_perform_t1(foam, Foam::film_of(h))) {
+    if (can_perform_t1(foam, Foam::film_of(h))) {
       films.push_back(Foam::film_of(h));
     }
   });
-  std::ranges::stable_sort(films, {}, [&](Index f) { return foam.length(2 * f); });
+  std::ranges::stable_sort(
+      films, {}, [&](Index f) { return std::pair(!spares_sides(foam, f), foam.length(2 * f)); });
   return films;
 }
 
-/// Three-sided bubbles keep their sides: they vanish by T2.
-bool spares_sides(const Foam& foam, Index film) {
-  const auto spares = [&](Index b) { return b == kWorld || foam.sides[Foam::size(b)] > 3; };
-  return spares(foam.left(2 * film)) && spares(foam.right(2 * film));
+/// Whether a foam that is not in equilibrium may still be shown and gone on from.
+bool is_a_foam(const Foam& foam) {
+  const auto in_range = [](double alpha) { return std::abs(alpha) < std::numbers::pi; };
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    if (foam.has_bubble(b) && !(foam.target_area[Foam::size(b)] > 0)) {
+      return false;
+    }
+  }
+  return foam.report.converged ||
+         (std::ranges::all_of(foam.film_angle, in_range) && validate_geometry(foam).empty());
 }
 
 } // namespace
@@ -57,6 +66,16 @@ void EventCoarsening::Motion::take(const Region& region, const Step& response) {
   }
   for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
     pressures[Foam::size(region.bubbles[i])] = response.pressures[i];
+  }
+}
+
+void EventCoarsening::Motion::hold_wall(const Foam& foam) {
+  for (Index f = 0; f < foam.film_capacity(); ++f) {
+    if (foam.has_film(f) && foam.wall(2 * f)) {
+      angles[Foam::size(f)] = 0;
+      junctions[Foam::size(foam.start(2 * f))] = {};
+      junctions[Foam::size(foam.end(2 * f))] = {};
+    }
   }
 }
 
@@ -96,7 +115,7 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
       undo(before);
       possible = integrate(true, aborted);
     }
-    if (!possible) {
+    if (!possible || !is_a_foam(foam_)) {
       undo(before);
       return false;
     }
@@ -111,6 +130,7 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
 
 bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   careful_ = careful;
+  rounds_left_ = kRounds + kRoundsPerBubble * foam_.bubble_count();
   predict_whole();
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(aborted);
@@ -119,7 +139,11 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
     return false;
   }
   for (double left = options_.time_step; left > 0;) {
+    if (aborted && aborted()) {
+      throw Aborted();
+    }
     const double step = std::min(left, time_to_next_event());
+    const std::uint64_t topology = foam_.topology;
     const std::vector<Index> strained = strained_bubbles(step);
     move(step);
     left = step < left ? left - step : 0;
@@ -129,12 +153,32 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
     } else if (!strained.empty()) {
       relax_around(strained, aborted);
     }
-    if (!settle_events(aborted)) {
+    const bool stuck = !settle_events(aborted) || (step <= 0 && foam_.topology == topology);
+    if (stuck) {
       return false;
     }
   }
+  balance_gas();
   relax_whole(options_.equilibrator.tolerance, aborted);
   return true;
+}
+
+/// Gives a closed container's bubbles back what rough equilibria and rounding have lost.
+void EventCoarsening::balance_gas() {
+  if (foam_.boundary == Boundary::Free) {
+    return;
+  }
+  double space = 0;
+  double gas = 0;
+  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    if (foam_.has_bubble(b)) {
+      space += foam_.area(b);
+      gas += foam_.target_area[Foam::size(b)];
+    }
+  }
+  for (double& area : foam_.target_area) {
+    area *= space / gas;
+  }
 }
 
 void EventCoarsening::predict_whole() {
@@ -221,6 +265,7 @@ bool EventCoarsening::relax_around(std::span<const Index> bubbles, const AbortCh
     motion_.areas = area_rates(foam_, options_.permeability);
     const Step& response = newton_.patch_response(foam_, motion_.areas);
     motion_.take(newton_.patch_region(), response);
+    motion_.hold_wall(foam_);
   }
   return converged;
 }
@@ -240,47 +285,48 @@ double EventCoarsening::collapse_area(Index bubble, const Thresholds& limit) con
 }
 
 /// Performs what is due at this instant, relaxes, and looks again. \returns false if a bubble would
-/// vanish that cannot.
+/// vanish that cannot, or if there is no end to it.
 bool EventCoarsening::settle_events(const AbortCheck& aborted) {
-  for (int round = 0; round < kLargestCascade; ++round) {
+  for (bool first = true; rounds_left_ > 0; first = false, --rounds_left_) {
     const Thresholds limit = limits();
     const auto small = [&](const Foam& foam, Index b) {
       return foam.target_area[Foam::size(b)] <= limit.t2_area * (1 + kReached);
     };
     CollapseRules rules;
-    rules.t1 = [&](const Foam&, Index f) { return round == 0 && film_is_due(f, limit); };
+    rules.t1 = [&](const Foam&, Index f) { return first && film_is_due(f, limit); };
     rules.t2 = small;
     rules.t3 = small;
     const CascadeResult result = topological_cascade(foam_, rules);
     if (result.changed()) {
       relax_around(result.bubbles, aborted);
     } else if (!reduce_remnants(aborted)) {
-      break;
+      return !cannot_go_on();
     }
   }
-  return !cannot_go_on();
+  return false;
 }
 
 /// Whether a bubble is at its end, but cannot be removed.
 bool EventCoarsening::cannot_go_on() const {
-  const double end = limits().t2_area * (1 + kReached);
+  const Thresholds limit = limits();
   for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
-    if (foam_.has_bubble(b) && foam_.sides[Foam::size(b)] <= 3 &&
-        foam_.target_area[Foam::size(b)] <= end) {
+    const double end = foam_.sides[Foam::size(b)] <= 3 ? limit.t2_area : smallest_area(foam_);
+    if (foam_.has_bubble(b) && motion_.areas[Foam::size(b)] < 0 &&
+        foam_.target_area[Foam::size(b)] <= end * (1 + kReached)) {
       return true;
     }
   }
   return false;
 }
 
-/// Takes a side from every bubble that is at the T2 area with four or five, so that three are left
-/// in the end. \returns whether anything changed.
+/// Takes a side from every shrinking bubble that is at the T2 area with more than three, so that
+/// three are left in the end. \returns whether anything changed.
 bool EventCoarsening::reduce_remnants(const AbortCheck& aborted) {
   bool changed = false;
   const Thresholds limit = limits();
   for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
     const auto i = Foam::size(b);
-    if (foam_.has_bubble(b) && (foam_.sides[i] == 4 || foam_.sides[i] == 5) &&
+    if (foam_.has_bubble(b) && foam_.sides[i] > 3 && motion_.areas[i] < 0 &&
         foam_.target_area[i] <= collapse_area(b, limit) * (1 + kReached)) {
       changed = reduce_remnant(b, aborted) || changed;
     }

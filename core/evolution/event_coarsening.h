@@ -35,6 +35,8 @@ private:
     std::vector<double> areas;     ///< of the targets, cm²/s
 
     void take(const Region& region, const Step& response);
+    /// What has become a piece of a container's wall does not move any more.
+    void hold_wall(const Foam& foam);
     Vec2 chord_rate(const Foam& foam, Index film) const;
   };
   /// What an event that fails is undone to.
@@ -47,6 +49,7 @@ private:
   bool integrate(bool careful, const AbortCheck& aborted);
   void predict_whole();
   void move(double time);
+  void balance_gas();
   double time_to_next_event() const;
   std::vector<Index> strained_bubbles(double time) const;
   bool settle_events(const AbortCheck& aborted);
@@ -67,6 +70,7 @@ private:
   Motion motion_;
   std::vector<double> patience_; ///< of each bubble: the part of the T2 area that it waits for
   bool careful_ = false;         ///< relax the whole foam at every event
+  int rounds_left_ = 0;          ///< of events and relaxation in this frame
   int iterations_ = 0;
 };
 

@@ -3,14 +3,14 @@
 
 #include "evolution/event_coarsening.h"
 #include "evolution/frame_coarsening.h"
+#include "mesh/number.h"
 
 namespace foam {
 namespace {
 
 void require(bool holds, const char* name, const char* condition, double value) {
   if (!holds || !std::isfinite(value)) {
-    throw FoamError(std::string(name) + " must be " + condition + ", but is " +
-                    std::to_string(value));
+    throw FoamError(std::string(name) + " must be " + condition + ", but is " + number(value));
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "junction/junction_equilibrator.h"
+#include "mesh/number.h"
+#include "mesh/validate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,7 @@ namespace {
 
 void require(bool holds, const std::string& name, const std::string& range, double value) {
   if (!holds) {
-    throw FoamError(name + " must be " + range + ", but is " + std::to_string(value));
+    throw FoamError(name + " must be " + range + ", but is " + number(value));
   }
 }
 
@@ -155,7 +157,8 @@ EquilibriumReport JunctionEquilibrator::equilibrate(Foam& foam, double /*t1_leng
   report.max_angle_error = max_angle_error(foam);
   report.max_area_error = max_area_error(foam);
   report.residual = std::max(report.max_angle_error, report.max_area_error);
-  report.converged = halted && now.solvable && std::isfinite(report.residual);
+  report.converged =
+      halted && now.solvable && std::isfinite(report.residual) && validate_geometry(foam).empty();
   foam.report = report;
   return report;
 }

@@ -12,7 +12,9 @@ namespace foam {
 /// Model, 2010, chapters 3 and 4): every junction in turn is brought nearer to 120° and its bubbles
 /// nearer to their target areas, until the changes no longer change. It is local, stops where its
 /// halting rule says so and not at an equilibrium, cannot express arcs beyond the half circle, and
-/// may diverge; all that is the thesis's.
+/// may diverge; all that is the thesis's. `converged` says that the rule was met and that no
+/// junction is inverted and no bubble inside out, not that the foam is in equilibrium:
+/// max_angle_error and max_area_error say how far it is from that.
 ///
 /// Topology is left alone: t1_length is not used. The result depends on the foam alone, not on the
 /// number of threads.

@@ -7,6 +7,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "mesh/number.h"
 #include "mesh/validate.h"
 
 namespace foam {
@@ -41,7 +42,7 @@ std::array<Index, 3> counter_clockwise(const Foam& foam, std::array<Index, 3> ha
 
 void check_finite(double value, const std::string& what) {
   if (!std::isfinite(value)) {
-    throw FoamError(what + " is " + to_string(value));
+    throw FoamError(what + " is " + number(value));
   }
 }
 
@@ -51,14 +52,13 @@ void check_scalars(const FilmSet& set) {
   }
   check_finite(set.time, "TimeValue");
   if (!(set.surface_tension > 0) || !std::isfinite(set.surface_tension)) {
-    throw FoamError("SurfaceTension must be positive, but is " + to_string(set.surface_tension));
+    throw FoamError("SurfaceTension must be positive, but is " + number(set.surface_tension));
   }
   if (set.boundary == Boundary::Periodic &&
       !(std::isfinite(set.box.width()) && std::isfinite(set.box.height()) && set.box.width() > 0 &&
         set.box.height() > 0)) {
-    throw FoamError("PeriodicBounds enclose no area: " + to_string(set.box.xmin) + " " +
-                    to_string(set.box.xmax) + " " + to_string(set.box.ymin) + " " +
-                    to_string(set.box.ymax));
+    throw FoamError("PeriodicBounds enclose no area: " + number(set.box.xmin) + " " +
+                    number(set.box.xmax) + " " + number(set.box.ymin) + " " + number(set.box.ymax));
   }
 }
 
@@ -126,7 +126,7 @@ Foam foam_of(const FilmSet& set) {
     check_finite(bubble.pressure, "the pressure of " + name);
     if (!(bubble.target_area > 0) || !std::isfinite(bubble.target_area)) {
       throw FoamError("the target area of " + name + " must be positive, but is " +
-                      to_string(bubble.target_area));
+                      number(bubble.target_area));
     }
     foam.bubble_id[i] = bubble.id;
     foam.pressure[i] = bubble.pressure;
@@ -151,7 +151,7 @@ Foam foam_of(const FilmSet& set) {
       return found->second;
     };
     if (!(std::abs(film.half_angle) < std::numbers::pi)) {
-      throw FoamError("the half-angle of " + name + " is " + to_string(film.half_angle) +
+      throw FoamError("the half-angle of " + name + " is " + number(film.half_angle) +
                       ", outside (-pi, pi)");
     }
     const Index h = 2 * static_cast<Index>(f);

@@ -2,8 +2,11 @@
 #include "topology/operations.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
+
+#include "mesh/validate.h"
 
 namespace foam {
 namespace {
@@ -57,7 +60,8 @@ template <std::size_t N> class GasLedger {
 public:
   GasLedger(const Foam& foam, Index removed, const std::array<Index, N>& neighbours)
       : neighbours_(neighbours),
-        share_((foam.target_area[Foam::size(removed)] - foam.area(removed)) / N) {
+        share_((foam.target_area[Foam::size(removed)] - foam.area(removed)) /
+               static_cast<double>(N - std::ranges::count(neighbours, kWorld))) {
     for (std::size_t i = 0; i < N; ++i) {
       before_[i] = neighbours[i] == kWorld ? 0 : foam.area(neighbours[i]);
     }
@@ -196,6 +200,7 @@ std::array<Index, 2> perform_t1(Foam& foam, Index film) {
   foam.set_half_angle(h, foam.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
   ++foam.t1_count;
   ++foam.topology;
+  assert(validate(foam).empty());
   return parted;
 }
 
@@ -272,6 +277,7 @@ T2Result perform_t2(Foam& foam, Index bubble) {
   gas.share_out(foam);
   ++foam.t2_count;
   ++foam.topology;
+  assert(validate(foam).empty());
   return result;
 }
 
@@ -317,6 +323,7 @@ std::array<Index, 2> perform_t3(Foam& foam, Index bubble) {
   gas.share_out(foam);
   ++foam.t3_count;
   ++foam.topology;
+  assert(validate(foam).empty());
   return neighbours;
 }
 

@@ -40,7 +40,8 @@ T2Result perform_t2(Foam& foam, Index bubble);
 bool can_perform_t3(const Foam& foam, Index bubble);
 
 /// Removes a two-sided bubble: the film that it floats on closes behind it, an arc of one circle in
-/// equilibrium. Its two neighbours' target areas grow by what they gain.
+/// equilibrium. Its two neighbours' target areas grow by what they gain. Beside a container's wall
+/// the wall is straightened, which may cost a sliver of the container's area.
 /// \returns the two neighbours.
 std::array<Index, 2> perform_t3(Foam& foam, Index bubble);
 

@@ -5,10 +5,24 @@
 
 namespace foam {
 
+namespace {
+
+bool ends_on_wall(const Foam& foam, Index film) {
+  return foam.pinned(foam.start(2 * film)) || foam.pinned(foam.end(2 * film));
+}
+
+} // namespace
+
+bool spares_sides(const Foam& foam, Index film) {
+  const Index needed = ends_on_wall(foam, film) ? 3 : 4;
+  const auto spares = [&](Index b) { return b == kWorld || foam.sides[Foam::size(b)] >= needed; };
+  return spares(foam.left(2 * film)) && spares(foam.right(2 * film));
+}
+
 bool pulled_shut(const Foam& foam, Index film) {
   const Index h = 2 * film;
   const Index t = h + 1;
-  if (foam.pinned(foam.start(h)) || foam.pinned(foam.end(h))) {
+  if (ends_on_wall(foam, film)) {
     return true;
   }
   const Vec2 t1 = foam.tangent(foam.next_around_junction(h));

@@ -14,4 +14,9 @@ namespace foam {
 /// other end. A film that ends on the wall of a container is pulled shut by whatever shortens it.
 bool pulled_shut(const Foam& foam, Index film);
 
+/// Whether the bubbles along a film have more than three sides, so that a swap leaves each three or
+/// more: three-sided bubbles vanish by T2. Beside a container's wall two are enough, the wall and a
+/// film.
+bool spares_sides(const Foam& foam, Index film);
+
 } // namespace foam

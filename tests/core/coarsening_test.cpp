@@ -180,10 +180,24 @@ TEST(Coarsening, ConservesTheContainersArea) {
       const std::string where = "frame " + std::to_string(frame) + ": ";
       expect_valid(coarsening->foam(), where);
       expect_equilibrium(coarsening->foam(), where);
-      EXPECT_NEAR(total_area(coarsening->foam()) / total, 1, 1e-10) << where;
+      // Where the last bubble between two contacts goes, the wall is straightened.
+      const bool wall_kept = boundary == Boundary::Periodic || coarsening->foam().t3_count == 0;
+      EXPECT_NEAR(total_area(coarsening->foam()) / total, 1, wall_kept ? 1e-10 : 1e-3) << where;
     }
     EXPECT_GT(coarsening->foam().t2_count, 10);
   }
+}
+
+TEST(Coarsening, PinnedContactsDoNotStopIt) {
+  auto coarsening = make_coarsening({});
+  coarsening->restart(random_foam(150, Boundary::Fixed, 1));
+  for (int frame = 0; frame < 300; ++frame) {
+    ASSERT_TRUE(coarsening->advance({}));
+    const std::string where = "frame " + std::to_string(frame) + ": ";
+    expect_valid(coarsening->foam(), where);
+    expect_equilibrium(coarsening->foam(), where);
+  }
+  EXPECT_GT(coarsening->foam().t2_count, 90);
 }
 
 TEST(Coarsening, SlidesTwoSidedBubbles) {

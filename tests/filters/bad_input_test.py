@@ -195,6 +195,7 @@ class Coarsening(Rejecting):
                  ("Permeability", -0.25), ("Permeability", NAN), ("Permeability", math.inf),
                  ("T1Length", -0.5), ("T1Length", NAN), ("T2Area", -0.5), ("T2Area", NAN),
                  ("KeyframeInterval", 0), ("KeyframeInterval", -2), ("NumberOfFrames", -1),
+                 ("KeyframeMemory", -1), ("TimeStep", -1e-9), ("Permeability", -1e-8),
                  ("Tolerance", 0), ("Tolerance", NAN), ("MaximumIterations", 0),
                  ("ChordError", -0.5), ("ChordError", NAN)]
         for name, value in cases:

@@ -18,7 +18,7 @@ namespace {
 constexpr double kReached = 1e-9;        // relative slack of a threshold that has been met
 constexpr double kFinestStep = 1.0 / 64; // of a time step, towards a predicted T1
 constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets smaller, no T2 area is
-constexpr double kSmallestLength = 1e-4; // of the mean spacing: no T1 length is shorter
+constexpr double kSmallestLength = 1e-3; // of the mean spacing: no T1 length is shorter
 constexpr double kLargestChange = 0.25;  // of a film's chord along one response
 constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
 constexpr int kRounds = 64;                // of events and relaxation in a frame,

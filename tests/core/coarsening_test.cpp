@@ -223,6 +223,33 @@ TEST(Coarsening, RelativeThresholds) {
   }
 }
 
+TEST(Coarsening, GoesOnWithThresholdsOfNothing) {
+  for (const std::uint64_t seed : {1, 2}) {
+    CoarseningOptions options;
+    options.thresholds.t1_length = 0;
+    options.thresholds.t2_area = 0;
+    auto coarsening = make_coarsening(options);
+    coarsening->restart(random_foam(30, Boundary::Free, seed));
+    while (coarsening->advance({})) {
+      expect_valid(coarsening->foam());
+      expect_equilibrium(coarsening->foam());
+    }
+    EXPECT_LE(coarsening->foam().bubble_count(), 3);
+  }
+}
+
+TEST(Coarsening, EndsWhereThresholdsLeaveNothing) {
+  CoarseningOptions options;
+  options.thresholds.t2_area = 1; // the mean area
+  auto coarsening = make_coarsening(options);
+  coarsening->restart(random_foam(10, Boundary::Free, 1));
+  int frames = 0;
+  while (coarsening->advance({})) {
+    ASSERT_LT(++frames, 1000);
+  }
+  expect_valid(coarsening->foam());
+}
+
 bool same_bits(const Foam& a, const Foam& b) {
   return a.position == b.position && a.film_angle == b.film_angle && a.pressure == b.pressure &&
          a.target_area == b.target_area && a.half_junction == b.half_junction &&

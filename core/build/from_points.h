@@ -35,7 +35,7 @@ struct BuildOptions {
 /// junction per Delaunay triangle at its barycentre, one film per Delaunay edge, straight,
 /// pressures 0 (thesis 4.5.3). For a free or fixed boundary each edge of the triangulation's
 /// outline has a junction on the world, at the barycentre of the thesis's fin. The outline is the
-/// points' hull, less the flat triangles on it that see their outer edge under more than 109°: they
+/// points' hull, less the flat triangles on it that see their outer edge under more than 132°: they
 /// would make bubbles many spacings long. Every bubble has a positive area: where barycentres do
 /// not achieve that, incentres take their place. Not in equilibrium yet.
 ///

@@ -61,7 +61,7 @@ public:
   GasLedger(const Foam& foam, Index removed, const std::array<Index, N>& neighbours)
       : neighbours_(neighbours),
         share_((foam.target_area[Foam::size(removed)] - foam.area(removed)) /
-               static_cast<double>(N - std::ranges::count(neighbours, kWorld))) {
+               (N - static_cast<double>(std::ranges::count(neighbours, kWorld)))) {
     for (std::size_t i = 0; i < N; ++i) {
       before_[i] = neighbours[i] == kWorld ? 0 : foam.area(neighbours[i]);
     }

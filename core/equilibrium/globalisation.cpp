@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace foam {
 namespace {
 
 constexpr double kLargestTurn = 0.5; // rad that an arc may turn in one step
+constexpr double kLargestMove = 0.3; // of a junction's shortest film, in a limited step
 
 } // namespace
 
@@ -73,6 +75,29 @@ double longest_step(const Foam& foam, const LagrangianSystem& system, const Step
     }
   }
   return fraction;
+}
+
+Step limited_step(const Foam& foam, const LagrangianSystem& system, const Step& step) {
+  Step limited = step;
+  const Region& region = system.region();
+  for (std::size_t i = 0; i < region.junctions.size(); ++i) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index h : foam.junction_half[Foam::size(region.junctions[i])]) {
+      shortest = std::min(shortest, norm(foam.chord(h)));
+    }
+    const double length = norm(step.junctions[i]);
+    if (length > kLargestMove * shortest) {
+      limited.junctions[i] = (kLargestMove * shortest / length) * step.junctions[i];
+    }
+  }
+  for (std::size_t i = 0; i < region.films.size(); ++i) {
+    const double alpha = foam.film_angle[Foam::size(region.films[i])];
+    const double room = std::numbers::pi - std::abs(alpha);
+    const double largest =
+        step.angles[i] * alpha > 0 ? std::min(kLargestTurn, 0.5 * room) : kLargestTurn;
+    limited.angles[i] = std::clamp(step.angles[i], -largest, largest);
+  }
+  return limited;
 }
 
 Merit::Merit(const Foam& foam, const LagrangianSystem& system, const Step& step)

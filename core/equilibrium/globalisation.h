@@ -25,6 +25,11 @@ private:
 /// length and no arc by more than half a radian.
 double longest_step(const Foam& foam, const LagrangianSystem& system, const Step& step);
 
+/// The step, but no junction moves by more than a part of its shortest film and no arc turns by
+/// more than half a radian. Where one film alone is in the way of a whole foam this gets on, though
+/// it is no direction of descent for sure.
+Step limited_step(const Foam& foam, const LagrangianSystem& system, const Step& step);
+
 /// The exact penalty function of a region along a step, T·Σl − Σ_rim p·A + μ·Σ|A − A^τ|: films'
 /// energy, less the work of bubbles whose pressure is held, and the areas' violation (J. Nocedal,
 /// S. J. Wright, Numerical Optimization, 2nd ed., 2006, ch. 18).

@@ -10,8 +10,9 @@ namespace foam {
 namespace {
 
 // ∂²φ/∂α² in units of T·d; it is 1/3 for a straight film and falls to 0 at α = 90°.
-constexpr double kKeepBelow = 0.2;   // angles that are kept from the start
-constexpr double kEliminateTo = 0.1; // an eliminated one must not fall below this
+constexpr double kKeepBelow = 0.2;     // angles that are kept from the start
+constexpr double kEliminateTo = 0.1;   // an eliminated one must not fall below this
+constexpr double kLargestGrowth = 0.5; // of a bubble's area that one step asks for
 constexpr double kRegularisation = 1e-8;
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
@@ -50,7 +51,6 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
   }
   number_unknowns(foam);
   build_pattern();
-  solver_->analyse(pattern_);
   ready_ = true;
 }
 
@@ -88,6 +88,7 @@ void LagrangianSystem::number_unknowns(const Foam& foam) {
 }
 
 void LagrangianSystem::build_pattern() {
+  analysed_ = false;
   struct Entry {
     Index column, row;
     Index* slot;
@@ -173,8 +174,10 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
     const Index b = region_.bubbles[i];
     const double target = foam.target_area[Foam::size(b)];
-    const double excess = foam.area(b) - target;
-    gradient_[Foam::size(pressure_start_) + i] = -excess;
+    const double area = foam.area(b);
+    const double excess = area - target;
+    const double largest = kLargestGrowth * std::abs(area);
+    gradient_[Foam::size(pressure_start_) + i] = -std::clamp(excess, -largest, largest);
     residual.area = std::max(residual.area, std::abs(excess) / target);
   }
   return residual;
@@ -234,9 +237,12 @@ bool LagrangianSystem::factorise(const Foam& foam, bool stationary) {
     if (!assemble(foam, shift)) { // some angles are to be kept that were not: other unknowns
       number_unknowns(foam);
       build_pattern();
-      solver_->analyse(pattern_);
       evaluate(foam);
       continue;
+    }
+    if (!analysed_) {
+      solver_->analyse(pattern_);
+      analysed_ = true;
     }
     const Index negative = solver_->factorise(values_);
     if (negative == constraints || (stationary && negative >= 0)) {

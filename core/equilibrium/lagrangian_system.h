@@ -37,7 +37,7 @@ class LagrangianSystem {
 public:
   LagrangianSystem();
 
-  /// Sets up the unknowns and the symbolic factorisation for a region of a foam.
+  /// Sets up the unknowns for a region of a foam.
   void set_up(const Foam& foam, Region region);
   /// Whether set_up() has been called for a region of this very topology.
   bool fits(const Foam& foam) const { return ready_ && topology_ == foam.topology; }
@@ -84,6 +84,7 @@ private:
   Region region_;
   std::uint64_t topology_ = 0;
   bool ready_ = false;
+  bool analysed_ = false; ///< the symbolic factorisation is that of the pattern
   bool factorised_ = false;
   double shift_ = 0;
   double last_shift_ = 0;

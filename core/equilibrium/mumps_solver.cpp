@@ -39,7 +39,7 @@ public:
     mumps_.nnz = static_cast<MUMPS_INT8>(rows_.size());
     mumps_.irn = rows_.data();
     mumps_.jcn = columns_.data();
-    control(7) = pattern.size() < kLarge ? kAmd : kScotch;
+    control(7) = kAmf;
     control(6) = 0;   // no column permutation from values, which are not there yet
     control(14) = 50; // per cent of working space to spare
     call(kAnalyse);
@@ -65,9 +65,7 @@ public:
 
 private:
   enum Job { kInitialise = -1, kFinalise = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3 };
-  static constexpr int kAmd = 0;
-  static constexpr int kScotch = 3;
-  static constexpr Index kLarge = 20000; // from here on nested dissection pays for itself
+  static constexpr int kAmf = 2; // approximate minimum fill
 
   void call(Job job) {
     static std::mutex one_at_a_time; // MUMPS keeps global state

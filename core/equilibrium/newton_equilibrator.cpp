@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/globalisation.h"
 #include "topology/operations.h"
 #include "topology/swap_rule.h"
@@ -11,6 +12,8 @@
 namespace foam {
 namespace {
 
+constexpr double kFar = 0.5;              // residual that Newton's method may not be up to
+constexpr double kHemmedIn = 0.25;        // part of its step that can be taken where it is not
 constexpr double kContraction = 0.25;     // what a reused factorisation must achieve
 constexpr double kReuseBelow = 0.1;       // residual from which on reuse is tried
 constexpr double kStationaryBelow = 1e-6; // residual from which on any equilibrium will do
@@ -31,7 +34,17 @@ void NewtonEquilibrator::forget() {
 
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
+  if (hemmed_in(foam)) {
+    relax_compressible(foam, t1_length, aborted);
+  }
   return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
+}
+
+/// Whether the foam is so far from equilibrium that some film is in the way of Newton's first step.
+bool NewtonEquilibrator::hemmed_in(const Foam& foam) {
+  whole_.set_up(foam, whole_foam(foam));
+  return whole_.evaluate(foam).largest() > kFar && whole_.factorise(foam, false) &&
+         longest_step(foam, whole_, whole_.newton_step(foam)) < kHemmedIn;
 }
 
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
@@ -122,11 +135,10 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
       return {false, residual};
     }
     const Step& step = system.newton_step(foam);
-    touched = swap_films(foam, system, step, t1_length);
-    if (!touched.empty()) {
-      continue;
-    }
-    if (!search_line(foam, system, step, residual)) {
+    const std::vector<Index> closing = closing_films(foam, system, step, t1_length);
+    const bool moved = search_line(foam, system, step, residual);
+    touched = swap_films(foam, closing);
+    if (!moved && touched.empty()) {
       return {false, residual};
     }
   }
@@ -154,18 +166,28 @@ bool NewtonEquilibrator::reuse_factorisation(Foam& foam, LagrangianSystem& syste
   return false;
 }
 
-/// Backtracks along the Newton step until the residual is halved or the merit function falls.
+/// Takes the Newton step, or as much of it everywhere as can be taken there, or backtracks along
+/// it, until the residual is halved or the merit function falls.
 bool NewtonEquilibrator::search_line(Foam& foam, LagrangianSystem& system, const Step& step,
                                      Residual& residual) {
   const Merit merit(foam, system, step);
   const double before_merit = merit(foam);
   const Snapshot before(foam, system.region());
-  for (double fraction = longest_step(foam, system, step), smallest = kSmallestStep * fraction;
-       fraction > smallest; fraction *= 0.5) {
-    before.advance(foam, step, fraction);
+  const auto improves = [&](const Step& direction, double fraction) {
+    before.advance(foam, direction, fraction);
     const Residual after = system.evaluate(foam);
     if (after.largest() < 0.5 * residual.largest() || merit(foam) < before_merit) {
       residual = after;
+      return true;
+    }
+    return false;
+  };
+  const double longest = longest_step(foam, system, step);
+  if (longest < 1 && improves(limited_step(foam, system, step), 1)) {
+    return true;
+  }
+  for (double fraction = longest; fraction > kSmallestStep * longest; fraction *= 0.5) {
+    if (improves(step, fraction)) {
       return true;
     }
   }
@@ -173,12 +195,12 @@ bool NewtonEquilibrator::search_line(Foam& foam, LagrangianSystem& system, const
   return false;
 }
 
-/// Swaps the films that the step shortens further although they are short and pulled shut, the
-/// shortest first and no two at one junction. Each swap of a film in one call asks for it to be
-/// four times shorter, so that no film is swapped back and forth. Three-sided bubbles keep their
-/// sides: they vanish by T2. \returns the bubbles around the swapped films.
-std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, const LagrangianSystem& system,
-                                                  const Step& step, double t1_length) {
+/// The films that the step shortens further although they are short and pulled shut, the shortest
+/// first. Each swap of a film in one call asks for it to be four times shorter, so that no film is
+/// swapped back and forth. Three-sided bubbles keep their sides: they vanish by T2.
+std::vector<Index> NewtonEquilibrator::closing_films(const Foam& foam,
+                                                     const LagrangianSystem& system,
+                                                     const Step& step, double t1_length) const {
   struct Candidate {
     double length;
     Index film;
@@ -195,9 +217,17 @@ std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, const LagrangianSy
   std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
     return a.length < b.length || (a.length == b.length && a.film < b.film);
   });
+  std::vector<Index> films;
+  std::ranges::transform(candidates, std::back_inserter(films), &Candidate::film);
+  return films;
+}
+
+/// Swaps those of the films that may be swapped and are pulled shut, no two at one junction.
+/// \returns the bubbles around them.
+std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, std::span<const Index> films) {
   std::vector<Index> touched;
   std::vector<Index> used;
-  for (const auto& [length, f] : candidates) {
+  for (const Index f : films) {
     const std::array ends{foam.start(2 * f), foam.end(2 * f)};
     const bool free_ends = std::ranges::find_first_of(used, ends) == used.end();
     if (free_ends && spares_sides(foam, f) && can_perform_t1(foam, f) && pulled_shut(foam, f)) {

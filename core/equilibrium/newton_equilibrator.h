@@ -15,8 +15,9 @@ namespace foam {
 /// T·Σl + μ·Σ|A − A^τ| with μ above the largest pressure (J. Nocedal, S. J. Wright, Numerical
 /// Optimization, 2nd ed., 2006, ch. 18), from a matrix whose inertia is that of a minimum; no film
 /// shrinks or turns by more than half of its length in one step, no arc by more than half a radian.
-/// Films that are short and pulled shut are swapped on the way. Close to the solution a
-/// factorisation serves as long as the iteration contracts.
+/// A foam far from equilibrium is first relaxed as if its gas were soft (relax_compressible). Films
+/// that are short and pulled shut are swapped on the way. Close to the solution a factorisation
+/// serves as long as the iteration contracts.
 class NewtonEquilibrator final : public Equilibrator {
 public:
   explicit NewtonEquilibrator(const EquilibratorOptions& options);
@@ -55,8 +56,10 @@ private:
   bool reuse_factorisation(Foam& foam, LagrangianSystem& system, double tolerance,
                            Residual& residual);
   bool search_line(Foam& foam, LagrangianSystem& system, const Step& step, Residual& residual);
-  std::vector<Index> swap_films(Foam& foam, const LagrangianSystem& system, const Step& step,
-                                double t1_length);
+  std::vector<Index> closing_films(const Foam& foam, const LagrangianSystem& system,
+                                   const Step& step, double t1_length) const;
+  std::vector<Index> swap_films(Foam& foam, std::span<const Index> films);
+  bool hemmed_in(const Foam& foam);
   EquilibriumReport report(Foam& foam, const Outcome& outcome) const;
 
   EquilibratorOptions options_;

@@ -51,10 +51,12 @@ bool same(const FilmSet& a, const FilmSet& b) {
 }
 
 auto values(const JunctionOptions& options) {
-  const auto& [sweep, energy_decay, orientation_invariant, damping, finite_difference_step,
-               jacobian_tolerance, pressure_tolerance, position_tolerance, minimum_scale] = options;
-  return std::tie(sweep, energy_decay, orientation_invariant, damping, finite_difference_step,
-                  jacobian_tolerance, pressure_tolerance, position_tolerance, minimum_scale);
+  const auto& [sweep, root_search, energy_target, energy_decay, orientation_invariant, damping,
+               finite_difference_step, jacobian_tolerance, pressure_tolerance, position_tolerance,
+               minimum_scale] = options;
+  return std::tie(sweep, root_search, energy_target, energy_decay, orientation_invariant, damping,
+                  finite_difference_step, jacobian_tolerance, pressure_tolerance,
+                  position_tolerance, minimum_scale);
 }
 
 auto values(const EquilibratorOptions& options) {

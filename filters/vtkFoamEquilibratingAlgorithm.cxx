@@ -29,6 +29,8 @@ foam::EquilibratorOptions vtkFoamEquilibratingAlgorithm::GetEquilibratorOptions(
   options.tolerance = this->Tolerance;
   options.maximum_iterations = this->MaximumIterations;
   options.junction.sweep = static_cast<foam::Sweep>(this->Sweep);
+  options.junction.root_search = static_cast<foam::RootSearch>(this->RootSearch);
+  options.junction.energy_target = static_cast<foam::EnergyTarget>(this->EnergyTarget);
   options.junction.energy_decay = this->EnergyDecay;
   options.junction.orientation_invariant = this->OrientationInvariant;
   options.junction.damping = this->Damping;
@@ -81,6 +83,8 @@ void vtkFoamEquilibratingAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "MaximumIterations: " << this->MaximumIterations << "\n"
      << indent << "Sweep: " << this->Sweep << "\n"
+     << indent << "RootSearch: " << this->RootSearch << "\n"
+     << indent << "EnergyTarget: " << this->EnergyTarget << "\n"
      << indent << "EnergyDecay: " << this->EnergyDecay << "\n"
      << indent << "OrientationInvariant: " << this->OrientationInvariant << "\n"
      << indent << "Damping: " << this->Damping << "\n"

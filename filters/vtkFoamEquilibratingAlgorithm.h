@@ -32,6 +32,8 @@ public:
   enum EquilibratorType { Newton = 0, Junction = 1 };
   enum DeviceType { Auto = 0, CPU = 1, CUDA = 2 };
   enum SweepType { Jacobi = 0, GaussSeidel = 1 };
+  enum RootSearchType { Angles = 0, Energies = 1 };
+  enum EnergyTargetType { Zero = 0, Straight = 1 };
 
   ///@{
   /**
@@ -82,6 +84,24 @@ public:
    */
   vtkSetClampMacro(Sweep, int, Jacobi, GaussSeidel);
   vtkGetMacro(Sweep, int);
+  ///@}
+
+  ///@{
+  /**
+   * Junction: what a junction seeks besides the areas of its bubbles: 120° between its films
+   * (Angles, default) or target energies for them (Energies, proposed in the thesis's 7.1.1).
+   */
+  vtkSetClampMacro(RootSearch, int, Angles, Energies);
+  vtkGetMacro(RootSearch, int);
+  ///@}
+
+  ///@{
+  /**
+   * Junction with Energies: target energies of the films, Zero (default) or those of straight films
+   * from the point where their sum is least (Straight).
+   */
+  vtkSetClampMacro(EnergyTarget, int, Zero, Straight);
+  vtkGetMacro(EnergyTarget, int);
   ///@}
 
   ///@{
@@ -187,6 +207,8 @@ private:
   double Tolerance = 1e-9;
   int MaximumIterations = 256;
   int Sweep = Jacobi;
+  int RootSearch = Angles;
+  int EnergyTarget = Zero;
   bool EnergyDecay = true;
   bool OrientationInvariant = false;
   double Damping = 0.1;

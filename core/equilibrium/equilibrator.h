@@ -26,17 +26,31 @@ enum class Device { Auto, CPU, CUDA };
 
 enum class Sweep { Jacobi, GaussSeidel };
 
+/// What a junction's films shall meet besides its bubbles' areas.
+enum class RootSearch {
+  Angles,  ///< 120° between them (thesis 3.1)
+  Energies ///< target energies (thesis 7.1.1)
+};
+
+/// E^τ, the target energies of a junction's films: the thesis's two suggestions (7.1.1).
+enum class EnergyTarget {
+  Zero,    ///< 0, the global minimum
+  Straight ///< those of straight films from where their sum is least, the local minimum
+};
+
 /// Constants of the thesis's method; defaults of its Figure 4.19.
 struct JunctionOptions {
   Sweep sweep = Sweep::Jacobi;
-  bool energy_decay = true;             ///< Energy Decay Constraint (3.5.2)
-  bool orientation_invariant = false;   ///< Orientation Invariant Constraint (3.5.1)
-  double damping = 0.1;                 ///< τ
-  double finite_difference_step = 0.01; ///< h
-  double jacobian_tolerance = 1;        ///< δ_error
-  double pressure_tolerance = 0.001;    ///< δ_Δp, N/cm
-  double position_tolerance = 0.001;    ///< δ_Δx, cm
-  double minimum_scale = 1e-5;          ///< δ_scale
+  RootSearch root_search = RootSearch::Angles;
+  EnergyTarget energy_target = EnergyTarget::Zero; ///< of RootSearch::Energies
+  bool energy_decay = true;                        ///< Energy Decay Constraint (3.5.2)
+  bool orientation_invariant = false;              ///< Orientation Invariant Constraint (3.5.1)
+  double damping = 0.1;                            ///< τ
+  double finite_difference_step = 0.01;            ///< h
+  double jacobian_tolerance = 1;                   ///< δ_error
+  double pressure_tolerance = 0.001;               ///< δ_Δp, N/cm
+  double position_tolerance = 0.001;               ///< δ_Δx, cm
+  double minimum_scale = 1e-5;                     ///< δ_scale
 };
 
 struct EquilibratorOptions {

@@ -16,6 +16,8 @@ namespace foam {
 /// junction is inverted and no bubble inside out, not that the foam is in equilibrium:
 /// max_angle_error and max_area_error say how far it is from that.
 ///
+/// With RootSearch::Energies it asks what the thesis proposes in its 7.1.1, see EnergyRootSearch.
+///
 /// Topology is left alone: t1_length is not used. The result depends on the foam alone, not on the
 /// number of threads.
 class JunctionEquilibrator final : public Equilibrator {

@@ -5,16 +5,28 @@
 #pragma once
 
 #include "equilibrium/equilibrator.h"
-#include "junction/junction_system.h"
+#include "junction/angle_root_search.h"
+#include "junction/energy_root_search.h"
 
 namespace foam::junction {
 
-/// The junction's own solution z, undamped. Not finite where its system is singular.
+/// The junction's own solution z by a root search, undamped. Not finite where its system is
+/// singular.
+template <class Search>
+JunctionStep junction_step(const Search& search, const Foam& foam, Index junction,
+                           const JunctionOptions& options) {
+  const JunctionStar star = junction_star(foam, junction);
+  const DifferenceOptions difference{options.finite_difference_step, options.jacobian_tolerance,
+                                     options.minimum_scale};
+  return search.solve(star, junction_system(search, foam, junction, star, difference));
+}
+
+/// By the root search that is asked for.
 inline JunctionStep junction_step(const Foam& foam, Index junction,
                                   const JunctionOptions& options) {
-  return solve(junction_system(
-      foam, junction, junction_star(foam, junction),
-      {options.finite_difference_step, options.jacobian_tolerance, options.minimum_scale}));
+  return options.root_search == RootSearch::Energies
+             ? junction_step(EnergyRootSearch{options.energy_target}, foam, junction, options)
+             : junction_step(AngleRootSearch{}, foam, junction, options);
 }
 
 /// The constraints on a junction's movement (thesis 3.5), against the state they are made in.

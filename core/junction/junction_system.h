@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The equations of one junction (thesis 3.1): the areas of its three bubbles and two of its angles
-// against the three pressures and its position. Functions are templates of the mesh, a Foam or what
-// stands for one on another device; it offers start, end, left, right, next_in_bubble, chord,
-// pressure_of, wall and pinned as Foam does, and its arrays junction_half, target_area and
-// surface_tension.
+// The equations of one junction (thesis 3.1): the areas of its three bubbles and what a root search
+// asks of its three films, against the three pressures and its position.
+//
+// Functions are templates of the mesh, a Foam or what stands for one on another device; it offers
+// start, end, left, right, next_in_bubble, chord, pressure_of, wall and pinned as Foam does, and
+// its arrays junction_half, target_area and surface_tension.
+//
+// They are templates of the root search, too, AngleRootSearch or EnergyRootSearch. It offers
+//   kConditions           the number of its conditions on the films,
+//   values(star)          the quantities that its conditions are about,
+//   targets(star)         what these shall be, and
+//   solve(star, system)   the step z that a system asks for.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +20,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "junction/gauss_jordan.h"
 #include "junction/thesis_film.h"
 #include "mesh/foam.h"
 
@@ -22,24 +28,34 @@ namespace foam::junction {
 /// A junction with its three films and bubbles, counter-clockwise. Bubble k lies on the left of
 /// film k, between films k and k + 1.
 struct JunctionStar {
-  std::array<Index, 3> half{};      ///< outgoing
-  std::array<Index, 3> bubble{};    ///< kWorld among them on a free boundary
-  std::array<Vec2, 3> chord{};      ///< e_k = x_k − x, cm
-  std::array<double, 3> pressure{}; ///< of the bubbles, N/cm
-  double surface_tension = 0;       ///< γ, N/cm
+  std::array<Index, 3> half{};         ///< outgoing
+  std::array<Index, 3> bubble{};       ///< kWorld among them on a free boundary
+  std::array<Vec2, 3> chord{};         ///< e_k = x_k − x, cm
+  std::array<double, 3> pressure{};    ///< of the bubbles, N/cm
+  std::array<double, 3> target_area{}; ///< A^τ of the bubbles, cm²; the world has none
+  double surface_tension = 0;          ///< γ, N/cm
 };
 
 /// The quantities that a junction's equations are about.
-struct JunctionSample {
-  std::array<double, 3> area{};  ///< of the bubbles, cm²
-  std::array<double, 3> angle{}; ///< θ_k between films k and k + 1, rad
+template <class Search> struct JunctionSample {
+  std::array<double, 3> area{};                    ///< of the bubbles, cm²
+  std::array<double, Search::kConditions> value{}; ///< of the films
 };
 
-/// ∇f_j as the thesis writes it, ∂(A_i, A_j, A_k, θ_a, θ_b)/∂(p_i, p_j, p_k, x, y), and f_j.
-struct JunctionSystem {
-  Matrix5 jacobian{};
-  Vector5 deviation{}; ///< what A and θ lack of A^τ and 2π/3
-  std::array<bool, 5> ignored{};
+/// A junction's unknowns p_i, p_j, p_k, x, y, N/cm and cm.
+inline constexpr std::size_t kUnknowns = 5;
+
+/// ∇f_j by rows: A_i, A_j, A_k and the root search's conditions.
+template <class Search>
+using JunctionJacobian = std::array<std::array<double, kUnknowns>, 3 + Search::kConditions>;
+
+/// The equations jacobian·z = deviation of a junction's change z. The thesis writes ∇f_j·z = −f_j
+/// (3.1.7), but in its ∇f_j has the derivatives of A and θ, of which f_j holds the negatives: the
+/// two signs cancel.
+template <class Search> struct JunctionSystem {
+  JunctionJacobian<Search> jacobian{};
+  std::array<double, 3 + Search::kConditions> deviation{}; ///< f_j, what lacks to the targets
+  std::array<bool, kUnknowns> ignored{};
 };
 
 /// The solution of a junction's system.
@@ -67,6 +83,9 @@ template <class Mesh> JunctionStar junction_star(const Mesh& mesh, Index junctio
     star.bubble[k] = mesh.left(star.half[k]);
     star.chord[k] = mesh.chord(star.half[k]);
     star.pressure[k] = mesh.pressure_of(star.bubble[k]);
+    if (star.bubble[k] != kWorld) {
+      star.target_area[k] = mesh.target_area[Foam::size(star.bubble[k])];
+    }
   }
   return star;
 }
@@ -93,13 +112,15 @@ inline std::array<double, 3> film_angles(const JunctionStar& star) {
   return {film_angle(star, 0, 1), film_angle(star, 1, 2), film_angle(star, 2, 0)};
 }
 
+/// Length of the junction's film k (3.5.1), cm.
+inline double film_length(const JunctionStar& star, std::size_t k) {
+  return arc_length(norm(star.chord[k]), half_angle(star, k));
+}
+
 /// Energy of the films that meet in the junction, 2γ·Σl (3.5.2), N.
 inline double local_energy(const JunctionStar& star) {
-  double length = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    length += arc_length(norm(star.chord[k]), half_angle(star, k));
-  }
-  return 2 * star.surface_tension * length;
+  return 2 * star.surface_tension *
+         (film_length(star, 0) + film_length(star, 1) + film_length(star, 2));
 }
 
 /// The orientation invariant (3.5.1): films 0, 1, 2 follow each other counter-clockwise.
@@ -134,13 +155,14 @@ template <class Mesh> double thesis_area(const Mesh& mesh, Index first) {
   return 0.5 * twice_polygon + segments;
 }
 
-/// Areas and angles with the pressure of bubble k changed by dp, but for what does not depend on
-/// it.
-template <class Mesh>
-JunctionSample vary_pressure(const Mesh& mesh, JunctionStar star, std::size_t k, double dp) {
+/// Areas and film values with the pressure of bubble k changed by dp, but for what does not depend
+/// on it.
+template <class Search, class Mesh>
+JunctionSample<Search> vary_pressure(const Search& search, const Mesh& mesh, JunctionStar star,
+                                     std::size_t k, double dp) {
   star.pressure[k] += dp;
-  JunctionSample sample;
-  sample.angle = film_angles(star);
+  JunctionSample<Search> sample;
+  sample.value = search.values(star);
   Index h = star.half[k];
   do {
     const double segment = thesis_segment(mesh, h, star.pressure[k]);
@@ -155,17 +177,18 @@ JunctionSample vary_pressure(const Mesh& mesh, JunctionStar star, std::size_t k,
   return sample;
 }
 
-/// Areas and angles with the junction moved, but for what does not depend on its position: of a
-/// bubble's polygon the triangle that has a corner in the junction remains, of its arcs the two
+/// Areas and film values with the junction moved, but for what does not depend on its position: of
+/// a bubble's polygon the triangle that has a corner in the junction remains, of its arcs the two
 /// that end there.
-inline JunctionSample vary_position(JunctionStar star, Vec2 move) {
+template <class Search>
+JunctionSample<Search> vary_position(const Search& search, JunctionStar star, Vec2 move) {
   std::array<double, 3> segment{};
   for (std::size_t k = 0; k < 3; ++k) {
     star.chord[k] -= move;
     segment[k] = segment_area(norm(star.chord[k]), half_angle(star, k));
   }
-  JunctionSample sample;
-  sample.angle = film_angles(star);
+  JunctionSample<Search> sample;
+  sample.value = search.values(star);
   for (std::size_t k = 0; k < 3; ++k) {
     sample.area[k] =
         0.5 * cross(star.chord[k], star.chord[after(k)]) + segment[k] - segment[after(k)];
@@ -173,45 +196,39 @@ inline JunctionSample vary_position(JunctionStar star, Vec2 move) {
   return sample;
 }
 
-/// The two angles that make a junction's system: not the world's, or else not the last (3.4.1).
-inline std::array<std::size_t, 2> angles_in_system(const JunctionStar& star) {
-  if (star.bubble[0] == kWorld) {
-    return {1, 2};
-  }
-  return star.bubble[1] == kWorld ? std::array<std::size_t, 2>{0, 2}
-                                  : std::array<std::size_t, 2>{0, 1};
-}
-
 /// ∇f_j by central differences with step h (3.1.1); the world's row and column are zero (3.4.1).
-template <class Mesh>
-Matrix5 junction_jacobian(const Mesh& mesh, const JunctionStar& star, double h) {
-  const auto angles = angles_in_system(star);
-  Matrix5 jacobian{};
-  const auto set_column = [&](std::size_t c, const JunctionSample& plus,
-                              const JunctionSample& minus) {
+template <class Search, class Mesh>
+JunctionJacobian<Search> junction_jacobian(const Search& search, const Mesh& mesh,
+                                           const JunctionStar& star, double h) {
+  JunctionJacobian<Search> jacobian{};
+  const auto set_column = [&](std::size_t c, const JunctionSample<Search>& plus,
+                              const JunctionSample<Search>& minus) {
     for (std::size_t k = 0; k < 3; ++k) {
       jacobian[k][c] = star.bubble[k] == kWorld ? 0 : (plus.area[k] - minus.area[k]) / (2 * h);
     }
-    for (std::size_t k = 0; k < 2; ++k) {
-      jacobian[3 + k][c] = (plus.angle[angles[k]] - minus.angle[angles[k]]) / (2 * h);
+    for (std::size_t k = 0; k < Search::kConditions; ++k) {
+      jacobian[3 + k][c] = (plus.value[k] - minus.value[k]) / (2 * h);
     }
   };
   for (std::size_t k = 0; k < 3; ++k) {
     if (star.bubble[k] != kWorld) {
-      set_column(k, vary_pressure(mesh, star, k, h), vary_pressure(mesh, star, k, -h));
+      set_column(k, vary_pressure(search, mesh, star, k, h),
+                 vary_pressure(search, mesh, star, k, -h));
     }
   }
-  set_column(3, vary_position(star, {h, 0}), vary_position(star, {-h, 0}));
-  set_column(4, vary_position(star, {0, h}), vary_position(star, {0, -h}));
+  set_column(3, vary_position(search, star, {h, 0}), vary_position(search, star, {-h, 0}));
+  set_column(4, vary_position(search, star, {0, h}), vary_position(search, star, {0, -h}));
   return jacobian;
 }
 
 /// ‖a − b‖_∞, the largest sum of a row.
-inline double row_norm_of_difference(const Matrix5& a, const Matrix5& b) {
+template <std::size_t Rows, std::size_t Columns>
+double row_norm_of_difference(const std::array<std::array<double, Columns>, Rows>& a,
+                              const std::array<std::array<double, Columns>, Rows>& b) {
   double largest = 0;
-  for (std::size_t r = 0; r < 5; ++r) {
+  for (std::size_t r = 0; r < Rows; ++r) {
     double sum = 0;
-    for (std::size_t c = 0; c < 5; ++c) {
+    for (std::size_t c = 0; c < Columns; ++c) {
       sum += std::abs(a[r][c] - b[r][c]);
     }
     largest = std::max(largest, sum);
@@ -227,14 +244,15 @@ struct DifferenceOptions {
 };
 
 /// ∇f_j with the step halved until two in a row differ by no more than δ_error (Figure 4.1).
-template <class Mesh>
-Matrix5 adaptive_jacobian(const Mesh& mesh, const JunctionStar& star,
-                          const DifferenceOptions& options) {
-  Matrix5 jacobian{};
+template <class Search, class Mesh>
+JunctionJacobian<Search> adaptive_jacobian(const Search& search, const Mesh& mesh,
+                                           const JunctionStar& star,
+                                           const DifferenceOptions& options) {
+  JunctionJacobian<Search> jacobian{};
   double error = 2 * options.tolerance;
   for (double scale = 1; error > options.tolerance && scale > options.minimum_scale; scale *= 0.5) {
-    const Matrix5 old = jacobian;
-    jacobian = junction_jacobian(mesh, star, options.step * scale);
+    const JunctionJacobian<Search> old = jacobian;
+    jacobian = junction_jacobian(search, mesh, star, options.step * scale);
     error = row_norm_of_difference(jacobian, old);
   }
   return jacobian;
@@ -242,41 +260,32 @@ Matrix5 adaptive_jacobian(const Mesh& mesh, const JunctionStar& star,
 
 /// f_j and ∇f_j. In a junction that is pinned to a container's wall each of its bubbles' pressures
 /// answers for its own area alone, and nothing moves.
-template <class Mesh>
-JunctionSystem junction_system(const Mesh& mesh, Index junction, const JunctionStar& star,
-                               const DifferenceOptions& options) {
-  JunctionSystem system;
-  system.jacobian = adaptive_jacobian(mesh, star, options);
+template <class Search, class Mesh>
+JunctionSystem<Search> junction_system(const Search& search, const Mesh& mesh, Index junction,
+                                       const JunctionStar& star, const DifferenceOptions& options) {
+  JunctionSystem<Search> system;
+  system.jacobian = adaptive_jacobian(search, mesh, star, options);
   for (std::size_t k = 0; k < 3; ++k) {
     system.ignored[k] = star.bubble[k] == kWorld;
     if (!system.ignored[k]) {
-      system.deviation[k] =
-          mesh.target_area[Foam::size(star.bubble[k])] - thesis_area(mesh, star.half[k]);
+      system.deviation[k] = star.target_area[k] - thesis_area(mesh, star.half[k]);
     }
   }
   if (mesh.pinned(junction)) {
     system.ignored[3] = system.ignored[4] = true;
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t r = 0; r < system.jacobian.size(); ++r) {
+      for (std::size_t c = 0; c < kUnknowns; ++c) {
         system.jacobian[r][c] = r == c ? system.jacobian[r][c] : 0;
       }
     }
   } else {
-    const auto angles = angles_in_system(star);
-    const auto theta = film_angles(star);
-    for (std::size_t k = 0; k < 2; ++k) {
-      system.deviation[3 + k] = 2 * std::numbers::pi / 3 - theta[angles[k]];
+    const auto value = search.values(star);
+    const auto target = search.targets(star);
+    for (std::size_t k = 0; k < Search::kConditions; ++k) {
+      system.deviation[3 + k] = target[k] - value[k];
     }
   }
   return system;
-}
-
-/// The change z that, to first order, makes areas and angles what they shall be (3.1.7). The thesis
-/// writes ∇f_j·z = −f_j, but in its ∇f_j has the derivatives of A and θ, of which f_j holds the
-/// negatives: the two signs cancel.
-inline JunctionStep solve(const JunctionSystem& system) {
-  const Vector5 z = gauss_jordan(system.jacobian, system.deviation, system.ignored);
-  return {{z[0], z[1], z[2]}, {z[3], z[4]}};
 }
 
 } // namespace foam::junction

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "build/jittered_grid.h"
-#include "hand_made.h"
 #include "junction/junction_equilibrator.h"
+#include "junction_foams.h"
 
 namespace foam {
 namespace {
@@ -17,27 +17,8 @@ namespace {
 using namespace junction;
 using std::numbers::pi;
 
+constexpr AngleRootSearch kAngles;
 constexpr std::array<bool, 5> kNoneIgnored{};
-
-/// Displaces junctions by up to `size` (cm) and pressures by up to a tenth of that.
-void disturb(Foam& foam, double size, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-size, size);
-  for (Vec2& x : foam.position) {
-    x += {uniform(generator), uniform(generator)};
-  }
-  for (double& p : foam.pressure) {
-    p += 0.1 * uniform(generator);
-  }
-}
-
-/// The half-angles that go with the pressures, by the law of sines: the chord 2|r|·sin α.
-void set_half_angles(Foam& foam) {
-  for (Index h = 0; h < 2 * foam.film_capacity(); h += 2) {
-    const double q = foam.pressure_of(foam.left(h)) - foam.pressure_of(foam.right(h));
-    foam.set_half_angle(h, std::asin(q * norm(foam.chord(h)) / (4 * foam.surface_tension)));
-  }
-}
 
 /// A_i, A_j, A_k, θ_i, θ_j, θ_k of a junction as the mesh itself measures them.
 std::array<double, 6> measured(Foam foam, Index j) {
@@ -80,28 +61,12 @@ std::array<double, 6> measured_derivative(const Foam& foam, Index j, std::size_t
   return derivative;
 }
 
-/// Three equal bubbles round a junction at the origin, straight films of length 1.
-Foam triple() {
-  const double s = std::sqrt(0.75);
-  return foam_of_polygons({{0, 0}, {0, 1}, {-s, -0.5}, {s, -0.5}},
-                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
-}
-
 double local_energy_of(const Foam& foam, Index j) {
   return local_energy(junction_star(foam, j));
 }
 
 JunctionStep movement(Vec2 step) {
   return {{}, step};
-}
-
-bool all_oriented(const Foam& foam) {
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    if (foam.has_junction(j) && !oriented(junction_star(foam, j))) {
-      return false;
-    }
-  }
-  return true;
 }
 
 EquilibratorOptions options_with(Sweep sweep, bool energy_decay, bool orientation_invariant) {
@@ -180,7 +145,7 @@ TEST(JunctionSystem, JacobianIsTheMeshesDerivative) {
   Foam foam = honeycomb(6, 3);
   disturb(foam, 0.1, 2);
   for (Index j = 0; j < foam.junction_capacity(); j += 5) {
-    const Matrix5 jacobian = junction_jacobian(foam, junction_star(foam, j), 1e-4);
+    const Matrix5 jacobian = junction_jacobian(kAngles, foam, junction_star(foam, j), 1e-4);
     for (std::size_t c = 0; c < 5; ++c) {
       const auto expected = measured_derivative(foam, j, c);
       for (std::size_t r = 0; r < 5; ++r) {
@@ -196,7 +161,7 @@ TEST(JunctionSystem, DifferencesAreOfSecondOrder) {
   const JunctionStar star = junction_star(foam, 7);
   const auto error = [&](double h) {
     double largest = 0;
-    const Matrix5 jacobian = junction_jacobian(foam, star, h);
+    const Matrix5 jacobian = junction_jacobian(kAngles, foam, star, h);
     for (std::size_t c = 0; c < 5; ++c) {
       const auto expected = measured_derivative(foam, 7, c);
       for (std::size_t r = 0; r < 5; ++r) {
@@ -215,8 +180,8 @@ TEST(JunctionSystem, LeavesOutTheWorld) { // (3.4.1)
     const JunctionStar star = junction_star(foam, j);
     const std::size_t world =
         static_cast<std::size_t>(std::ranges::find(star.bubble, kWorld) - star.bubble.begin());
-    const Matrix5 jacobian = junction_jacobian(foam, star, 1e-4);
-    const auto angles = angles_in_system(star);
+    const Matrix5 jacobian = junction_jacobian(kAngles, foam, star, 1e-4);
+    const auto angles = AngleRootSearch::angles(star);
     EXPECT_TRUE(std::ranges::find(angles, world) == angles.end());
     for (std::size_t c = 0; c < 5; ++c) {
       EXPECT_EQ(jacobian[world][c], 0);
@@ -232,9 +197,9 @@ TEST(JunctionSystem, LeavesOutTheWorld) { // (3.4.1)
     for (std::size_t r = 0; r < 5; ++r) {
       EXPECT_EQ(jacobian[r][world], 0);
     }
-    const JunctionSystem system = junction_system(foam, j, star, {0.01, 1, 1e-5});
+    const JunctionSystem system = junction_system(kAngles, foam, j, star, {0.01, 1, 1e-5});
     EXPECT_TRUE(system.ignored[world]);
-    const JunctionStep step = solve(system);
+    const JunctionStep step = kAngles.solve(star, system);
     EXPECT_TRUE(step.finite());
     EXPECT_EQ(step.pressure[world], 0);
   }
@@ -245,14 +210,15 @@ TEST(JunctionSystem, StepSizeAdaptsToTheTolerance) { // Figure 4.1
   disturb(foam, 0.1, 4);
   const JunctionStar star = junction_star(foam, 3);
   // A large tolerance is met by the first difference from zero, with the full step.
-  EXPECT_EQ(adaptive_jacobian(foam, star, {0.05, 1e3, 1e-5}), junction_jacobian(foam, star, 0.05));
+  EXPECT_EQ(adaptive_jacobian(kAngles, foam, star, {0.05, 1e3, 1e-5}),
+            junction_jacobian(kAngles, foam, star, 0.05));
   // A smaller one by the second of two that agree.
-  const Matrix5 full = junction_jacobian(foam, star, 0.05);
-  const Matrix5 half = junction_jacobian(foam, star, 0.025);
+  const Matrix5 full = junction_jacobian(kAngles, foam, star, 0.05);
+  const Matrix5 half = junction_jacobian(kAngles, foam, star, 0.025);
   const double between = row_norm_of_difference(full, half);
-  EXPECT_EQ(adaptive_jacobian(foam, star, {0.05, 1.01 * between, 1e-5}), half);
+  EXPECT_EQ(adaptive_jacobian(kAngles, foam, star, {0.05, 1.01 * between, 1e-5}), half);
   // One that cannot be met ends at the least scale, which is above 1/4 here.
-  EXPECT_EQ(adaptive_jacobian(foam, star, {0.05, 1e-300, 0.3}), half);
+  EXPECT_EQ(adaptive_jacobian(kAngles, foam, star, {0.05, 1e-300, 0.3}), half);
 }
 
 TEST(JunctionSystem, SolutionIsANewtonStep) {
@@ -260,12 +226,12 @@ TEST(JunctionSystem, SolutionIsANewtonStep) {
   disturb(foam, 0.02, 5);
   const auto deviation = [&](const Foam& f) {
     const JunctionStar star = junction_star(f, 9);
-    const JunctionSystem system = junction_system(f, 9, star, {1e-4, 1e-6, 1e-5});
+    const JunctionSystem system = junction_system(kAngles, f, 9, star, {1e-4, 1e-6, 1e-5});
     double largest = 0;
     for (const double d : system.deviation) {
       largest = std::max(largest, std::abs(d));
     }
-    return std::pair{largest, solve(system)};
+    return std::pair{largest, kAngles.solve(star, system)};
   };
   const auto [before_step, step] = deviation(foam);
   for (std::size_t k = 0; k < 3; ++k) {

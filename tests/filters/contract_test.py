@@ -12,7 +12,7 @@ from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_o
 
 EQUILIBRATOR = {
     "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "Sweep": 0,
-    "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
+    "RootSearch": 0, "EnergyTarget": 0, "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
     "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
     "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
 }

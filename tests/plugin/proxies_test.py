@@ -12,13 +12,15 @@ simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
 
 EQUILIBRATOR = {
     "Equilibrator": "Newton", "Device": "Auto", "Tolerance": 1e-9, "MaximumIterations": 256,
-    "Sweep": "Jacobi", "EnergyDecay": 1, "OrientationInvariant": 0, "Damping": 0.1,
+    "Sweep": "Jacobi", "RootSearch": "Angles", "EnergyTarget": "Zero", "EnergyDecay": 1,
+    "OrientationInvariant": 0, "Damping": 0.1,
     "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
     "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
 }
 EQUILIBRATOR_CHOICES = {
     "Equilibrator": ["Newton", "Junction"], "Device": ["Auto", "CPU", "CUDA"],
-    "Sweep": ["Jacobi", "GaussSeidel"],
+    "Sweep": ["Jacobi", "GaussSeidel"], "RootSearch": ["Angles", "Energies"],
+    "EnergyTarget": ["Zero", "Straight"],
 }
 PROXIES = {
     "FoamPoints": {"NumberOfPoints": 2000, "Spacing": 1, "Jitter": 1, "Seed": 1},
@@ -45,8 +47,9 @@ CHOICES = {
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"], "FoamStatistics": ["Summary", "BySides", "Bubbles"]}
-JUNCTION_ONLY = {"Sweep", "EnergyDecay", "OrientationInvariant", "Damping", "FiniteDifferenceStep",
-                 "JacobianTolerance", "PressureTolerance", "PositionTolerance", "MinimumScale"}
+JUNCTION_ONLY = {"Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant", "Damping",
+                 "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
+                 "PositionTolerance", "MinimumScale"}
 
 
 class Proxies(unittest.TestCase):
@@ -108,19 +111,23 @@ class Proxies(unittest.TestCase):
         for name in ("FoamFromPoints", "FoamCoarsen"):
             for key in PROXIES[name]:
                 hints = self.proxies[name].GetProperty(key).SMProperty.GetHints()
-                decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
-                depends = decorator and (decorator.GetAttribute("property"),
-                                         decorator.GetAttribute("value"))
+                decorators = [hints.GetNestedElement(i) for i in range(
+                    hints.GetNumberOfNestedElements() if hints else 0)]
+                depends = [(d.GetAttribute("property"), d.GetAttribute("value"))
+                           for d in decorators if d.GetName() == "PropertyWidgetDecorator"]
                 if key in JUNCTION_ONLY:
-                    self.assertEqual(depends, ("Equilibrator", "1"), key)
+                    self.assertEqual(depends, [("Equilibrator", "1")], key)
+                elif key == "EnergyTarget":
+                    self.assertEqual(depends, [("Equilibrator", "1"), ("RootSearch", "1")])
                 elif key == "Alpha":
-                    self.assertEqual(depends, ("Thresholds", "1"))
+                    self.assertEqual(depends, [("Thresholds", "1")])
                 elif key in ("T1Length", "T2Area"):
-                    self.assertEqual(depends, ("Thresholds", "0"))
+                    self.assertEqual(depends, [("Thresholds", "0")])
 
     def test_properties_reach_the_filters(self):
         """Every property, set to another value, is there in the VTK object."""
         other = {"Newton": ("Junction", 1), "Auto": ("CPU", 1), "Jacobi": ("GaussSeidel", 1),
+                 "Angles": ("Energies", 1), "Zero": ("Straight", 1),
                  "Free": ("Periodic", 1), "Initial": ("Uniform", 1), "Absolute": ("Relative", 1),
                  "Remove": ("Slide", 1)}
         self.assertTrue(foam.vtkFoamFilters)

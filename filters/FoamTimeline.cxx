@@ -70,9 +70,10 @@ auto values(const ThresholdOptions& options) {
 }
 
 auto values(const CoarseningOptions& options) {
-  const auto& [time_step, permeability, thresholds, two_sided_bubbles, equilibrator] = options;
-  return std::tuple_cat(std::tie(time_step, permeability, two_sided_bubbles), values(thresholds),
-                        values(equilibrator));
+  const auto& [time_step, permeability, thresholds, two_sided_bubbles, topological_algorithm,
+               equilibrator] = options;
+  return std::tuple_cat(std::tie(time_step, permeability, two_sided_bubbles, topological_algorithm),
+                        values(thresholds), values(equilibrator));
 }
 
 } // namespace

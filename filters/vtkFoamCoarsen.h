@@ -38,6 +38,7 @@ public:
 
   enum ThresholdsType { Absolute = 0, Relative = 1 };
   enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
+  enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2 };
 
   ///@{
   /**
@@ -108,6 +109,17 @@ public:
 
   ///@{
   /**
+   * Equilibrator Junction: the order of the topological operations in a frame. Final (default)
+   * follows every cascade (thesis Figure 4.8); the two before it are there for comparison: Original
+   * walks over the junctions once and equilibrates those where nothing gives way (Figure 4.4),
+   * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6).
+   */
+  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Improved);
+  vtkGetMacro(TopologicalAlgorithm, int);
+  ///@}
+
+  ///@{
+  /**
    * A keyframe every so many frames, ≥ 1: there the solver keeps nothing from before, and a run can
    * be resumed with the same bits. Default 10.
    */
@@ -153,6 +165,7 @@ private:
   double T2Area = 0.05;
   double Alpha = 0.05;
   int TwoSidedBubbles = Remove;
+  int TopologicalAlgorithm = Final;
   int KeyframeInterval = 10;
   int KeyframeMemory = 256;
   std::unique_ptr<Simulation> Run;

@@ -15,11 +15,19 @@ enum class TwoSidedBubbles {
   Slide   ///< it slides to the nearest corner and becomes three-sided (thesis 3.6.1)
 };
 
+/// In which order the thesis's frame performs its topological operations (thesis 4.3).
+enum class TopologicalAlgorithm {
+  Final,    ///< Figure 4.8, which follows every cascade
+  Original, ///< Figure 4.4, a walk over the junctions that is the frame's first sweep as well
+  Improved  ///< Figure 4.6, bubbles and films in turn until nothing gives way
+};
+
 struct CoarseningOptions {
   double time_step = 1.0 / 30; ///< Δt, s, > 0
   double permeability = 1;     ///< κ, cm²/s in the thesis's units, ≥ 0
   ThresholdOptions thresholds;
   TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
+  TopologicalAlgorithm topological_algorithm = TopologicalAlgorithm::Final; ///< Junction alone
   EquilibratorOptions equilibrator;
 };
 

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "evolution/diffusion.h"
+#include "junction/junction_step.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
+#include "topology/thesis_algorithms.h"
 
 namespace foam {
 namespace {
@@ -27,8 +29,8 @@ void diffuse(Foam& foam, double permeability, double time_step) {
 }
 
 /// Whether a bubble has shrunk to nothing, in fact or in target (3.2.2).
-bool vanishes(const Foam& foam, Index bubble, double t2_area) {
-  return foam.target_area[Foam::size(bubble)] <= t2_area || foam.area(bubble) <= t2_area;
+bool vanishes(const Foam& foam, Index bubble, double area, double t2_area) {
+  return foam.target_area[Foam::size(bubble)] <= t2_area || area <= t2_area;
 }
 
 /// A two-sided bubble on the wall of a container has no corner to slide to.
@@ -48,14 +50,36 @@ void slide_two_sided_bubbles(Foam& foam, double t1_length) {
   });
 }
 
-/// The thesis's conditions for a topological operation (3.2.2), and for T3 that of T2.
+/// The thesis's conditions for a topological operation (3.2.2), and for T3 that of T2. Areas are
+/// those of the pressures: the arcs' own angles lag behind while junctions are equilibrated between
+/// the operations.
 CollapseRules thesis_rules(const Thresholds& limit, TwoSidedBubbles two_sided) {
-  const auto gone = [=](const Foam& foam, Index b) { return vanishes(foam, b, limit.t2_area); };
+  const auto gone = [=](const Foam& foam, Index b) {
+    const double area = junction::thesis_area(foam, foam.bubble_half[Foam::size(b)]);
+    return vanishes(foam, b, area, limit.t2_area);
+  };
   return {.t1 = [=](const Foam& foam,
                     Index film) { return norm(foam.chord(2 * film)) <= limit.t1_length; },
           .t2 = gone,
           .t3 = [=](const Foam& foam,
                     Index b) { return !slides(foam, b, two_sided) && gone(foam, b); }};
+}
+
+void perform_topological_operations(Foam& foam, const CollapseRules& rules,
+                                    const CoarseningOptions& options) {
+  switch (options.topological_algorithm) {
+  case TopologicalAlgorithm::Final:
+    topological_cascade(foam, rules);
+    break;
+  case TopologicalAlgorithm::Original:
+    original_algorithm(foam, rules, [&](Foam& now, Index junction) {
+      junction::equilibrate_junction(now, junction, options.equilibrator.junction);
+    });
+    break;
+  case TopologicalAlgorithm::Improved:
+    improved_algorithm(foam, rules);
+    break;
+  }
 }
 
 /// Target areas below this share of the mean are raised to it.
@@ -74,7 +98,7 @@ void keep_targets_above(Foam& foam, double least) {
 bool comes_to_an_end(const Foam& foam, double t2_area) {
   bool end = false;
   if (foam.boundary == Boundary::Free && foam.bubble_count() == 2) {
-    for_each_bubble(foam, [&](Index b) { end = end || vanishes(foam, b, t2_area); });
+    for_each_bubble(foam, [&](Index b) { end = end || vanishes(foam, b, foam.area(b), t2_area); });
   }
   return end;
 }
@@ -100,7 +124,7 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(next, limit.t1_length);
   }
-  topological_cascade(next, thesis_rules(limit, options_.two_sided_bubbles));
+  perform_topological_operations(next, thesis_rules(limit, options_.two_sided_bubbles), options_);
   keep_targets_above(next, kLeastTarget * spacing * spacing);
   equilibrator_->equilibrate(next, limit.t1_length, aborted);
   next.time += options_.time_step;

@@ -6,7 +6,7 @@
 namespace foam {
 
 /// The thesis's frame (3.7, Figures 3.13 and 4.12): one Euler step of diffusion for the target
-/// areas, two-sided bubbles, all topological operations that the thresholds ask for, and one
+/// areas, two-sided bubbles, the topological operations that the thresholds ask for, and one
 /// equilibration.
 class FrameCoarsening final : public Coarsening {
 public:

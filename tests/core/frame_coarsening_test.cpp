@@ -7,6 +7,7 @@
 #include "build/jittered_grid.h"
 #include "evolution/frame_coarsening.h"
 #include "hand_made.h"
+#include "junction/junction_step.h"
 #include "topology/operations.h"
 
 namespace foam {
@@ -42,6 +43,7 @@ struct Setting {
   TwoSidedBubbles two_sided;
   bool energy_decay, orientation_invariant;
   Sweep sweep;
+  TopologicalAlgorithm algorithm = TopologicalAlgorithm::Final;
 };
 
 class Frames : public testing::TestWithParam<Setting> {};
@@ -50,6 +52,7 @@ TEST_P(Frames, KeepTheFoamValid) {
   const Setting setting = GetParam();
   CoarseningOptions options = thesis_options();
   options.two_sided_bubbles = setting.two_sided;
+  options.topological_algorithm = setting.algorithm;
   options.equilibrator.junction.energy_decay = setting.energy_decay;
   options.equilibrator.junction.orientation_invariant = setting.orientation_invariant;
   options.equilibrator.junction.sweep = setting.sweep;
@@ -77,6 +80,12 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{Boundary::Free, TwoSidedBubbles::Slide, false, false, Sweep::Jacobi},
         Setting{Boundary::Periodic, TwoSidedBubbles::Slide, true, true, Sweep::GaussSeidel},
         Setting{Boundary::Periodic, TwoSidedBubbles::Remove, false, false, Sweep::Jacobi},
+        Setting{Boundary::Free, TwoSidedBubbles::Slide, true, false, Sweep::Jacobi,
+                TopologicalAlgorithm::Original},
+        Setting{Boundary::Fixed, TwoSidedBubbles::Remove, false, false, Sweep::Jacobi,
+                TopologicalAlgorithm::Original},
+        Setting{Boundary::Free, TwoSidedBubbles::Slide, true, false, Sweep::Jacobi,
+                TopologicalAlgorithm::Improved},
         Setting{Boundary::Fixed, TwoSidedBubbles::Slide, true, true, Sweep::Jacobi},
         Setting{Boundary::Fixed, TwoSidedBubbles::Remove, false, false, Sweep::GaussSeidel}));
 
@@ -126,6 +135,31 @@ TEST(FrameCoarsening, ContainersAndTorusesKeepTheirGas) {
     }
     EXPECT_NEAR(total_target(coarsening.foam()), total_target(start), 1e-12);
   }
+}
+
+/// A frame of the given algorithm in which nothing gives way.
+Foam quiet_frame(const Foam& start, TopologicalAlgorithm algorithm) {
+  CoarseningOptions options = thesis_options();
+  options.permeability = options.thresholds.t1_length = options.thresholds.t2_area = 0;
+  options.topological_algorithm = algorithm;
+  FrameCoarsening coarsening(options);
+  coarsening.restart(start);
+  EXPECT_TRUE(coarsening.advance({}));
+  return coarsening.foam();
+}
+
+TEST(FrameCoarsening, OriginalAlgorithmEquilibratesAsItWalks) { // Figure 4.4
+  const CoarseningOptions options = thesis_options();
+  const Foam start = free_foam(25, 2);
+  Foam walked = start;
+  for (Index j = 0; j < walked.junction_capacity(); ++j) {
+    junction::equilibrate_junction(walked, j, options.equilibrator.junction);
+  }
+  const Foam final = quiet_frame(start, TopologicalAlgorithm::Final);
+  EXPECT_EQ(quiet_frame(start, TopologicalAlgorithm::Original).position,
+            quiet_frame(walked, TopologicalAlgorithm::Final).position);
+  EXPECT_NE(quiet_frame(start, TopologicalAlgorithm::Original).position, final.position);
+  EXPECT_EQ(quiet_frame(start, TopologicalAlgorithm::Improved).position, final.position);
 }
 
 /// A honeycomb with a bubble that floats on a film, small enough to vanish.

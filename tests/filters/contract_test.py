@@ -24,7 +24,8 @@ DEFAULTS = {
     vtkFoamCoarsen: {
         "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
         "T2Area": 0.05, "Thresholds": 0, "Alpha": 0.05, "TwoSidedBubbles": 0,
-        "KeyframeInterval": 10, "KeyframeMemory": 256, **EQUILIBRATOR},
+        "TopologicalAlgorithm": 0, "KeyframeInterval": 10, "KeyframeMemory": 256,
+        **EQUILIBRATOR},
     vtkFoamStatistics: {"IncludeBoundary": False},
 }
 FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",

@@ -30,7 +30,8 @@ PROXIES = {
     "FoamCoarsen": {
         "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
         "T2Area": 0.05, "Thresholds": "Absolute", "Alpha": 0.05, "TwoSidedBubbles": "Remove",
-        "KeyframeInterval": 10, "KeyframeMemory": 256, **EQUILIBRATOR},
+        "TopologicalAlgorithm": "Final", "KeyframeInterval": 10, "KeyframeMemory": 256,
+        **EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary": 0},
 }
 OTHER_PROPERTIES = {
@@ -42,13 +43,14 @@ CHOICES = {
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
     "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
+                    "TopologicalAlgorithm": ["Final", "Original", "Improved"],
                     **EQUILIBRATOR_CHOICES},
     "FoamStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"], "FoamStatistics": ["Summary", "BySides", "Bubbles"]}
-JUNCTION_ONLY = {"Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant", "Damping",
-                 "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
+JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
+                 "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}
 
 
@@ -129,7 +131,7 @@ class Proxies(unittest.TestCase):
         other = {"Newton": ("Junction", 1), "Auto": ("CPU", 1), "Jacobi": ("GaussSeidel", 1),
                  "Angles": ("Energies", 1), "Zero": ("Straight", 1),
                  "Free": ("Periodic", 1), "Initial": ("Uniform", 1), "Absolute": ("Relative", 1),
-                 "Remove": ("Slide", 1)}
+                 "Remove": ("Slide", 1), "Final": ("Original", 1)}
         self.assertTrue(foam.vtkFoamFilters)
         for name, defaults in PROXIES.items():
             proxy = servermanager.CreateProxy(

@@ -254,7 +254,15 @@ Foam checked_foam(const FilmSet& films) {
 }
 
 Foam read_foam(vtkPolyData* films) {
-  return checked_foam(read_films(films));
+  Foam foam = foam_of(read_films(films));
+  double total = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    total += foam.has_bubble(b) ? foam.area(b) : 0;
+  }
+  if (!(total > 0)) {
+    not_a_foam("the area of its bubbles is ", total);
+  }
+  return foam;
 }
 
 double read_time(vtkPolyData* films) {

@@ -12,7 +12,8 @@ namespace foam::filters {
 /// \throws FoamError naming the cause and the offending value.
 FilmSet read_films(vtkPolyData* films);
 
-/// The foam of films that write_films wrote.
+/// The foam of films that write_films wrote, to be measured: single bubbles may be inside out, as a
+/// frame that did not converge may have them, but not all together.
 /// \throws FoamError naming the cause and the offending value.
 Foam read_foam(vtkPolyData* films);
 

@@ -34,6 +34,7 @@ def figure(path, caption):
 
 def wrapped(page):
     """The page with its paragraphs wrapped; headings, tables, lists and figures as they are."""
-    blocks = page.split("\n\n")
-    return "\n\n".join(block if block.startswith(("#", "|", "-", "!")) else textwrap.fill(block, 118, break_long_words=False)
-                       for block in blocks if block)
+    def wrap(block):
+        return block if block.startswith(("#", "|", "-", "!")) else textwrap.fill(block, 118, break_long_words=False)
+
+    return "\n\n".join(wrap(block) for block in page.split("\n\n") if block)

@@ -104,11 +104,11 @@ NO_EXCESS = {"Excess": np.nan, "ExcessAtTargets": np.nan}
 
 
 def excess_energy(films, bubbles):
-    """The frame's energy over that of Newton's equilibrium of it, relative: as it is, and with the work p·(A^τ − A) that
-    it would take to give every bubble its target area, p being the pressures of the equilibrium.
+    """The frame's energy over that of Newton's equilibrium of it, relative: as it is, and with the work p·(A^τ − A)
+    that it would take to give every bubble its target area, p being the pressures of the equilibrium.
 
-    The equilibrium is a frame of FoamCoarsen without diffusion and without thresholds. NaN where Newton cannot begin with
-    the frame, since a bubble of it is inside out, or finds no equilibrium.
+    The equilibrium is a frame of FoamCoarsen without diffusion and without thresholds. NaN where Newton cannot begin
+    with the frame, since a bubble of it is inside out, or finds no equilibrium.
     """
     # The filter works on a copy, for the pipeline's output is about to become the next frame.
     start = films.NewInstance()

@@ -8,15 +8,16 @@ from thesis_experiments.markdown import as_published, number, table, wrapped
 TITLE = "# The thesis's experiments, run again"
 
 INTRODUCTION = f"""\
-B. K. Vedel-Larsen, *Quasi-static Simulation of Foam in the Vertex Model* (University of Copenhagen, 2010), relaxes a dry
-foam junction by junction and shows what becomes of foams of {published.text("6.1.1", "bubbles")} to
+B. K. Vedel-Larsen, *Quasi-static Simulation of Foam in the Vertex Model* (University of Copenhagen, 2010), relaxes a
+dry foam junction by junction and shows what becomes of foams of {published.text("6.1.1", "bubbles")} to
 {as_published(published.text("6.1.2", "bubbles"))} bubbles. Here its experiments are run again:
 by its own method (`Equilibrator` *Junction*, two-sided bubbles sliding to a corner) and by the default, *Newton*, which
 solves for all junctions, films and pressures at once and steps from one topological event to the next. Both start from
 the same points. The thesis's results are mostly pictures; the columns *thesis* quote what its text, tables and captions
 say. In the figures the thesis's method is orange, Newton blue, and what the thesis or the literature says grey.
 
-The page is written by `examples/thesis.py` from the results of its runs, numbers and sentences about numbers included."""
+The page is written by `examples/thesis.py` from the results of its runs, numbers and sentences about numbers
+included."""
 
 
 def write(path, folder):
@@ -75,5 +76,5 @@ the spacing s of its grid:
 
 The two differ by {number(100 * abs(deviation), 2)} %. All runs use **s = {scale.spacing()} cm**, where the T1 length is
 {number(100 * published.number("constants", "T1Length") / scale.spacing(), 2)} % of the spacing and the T2 area
-{number(100 * published.number("constants", "T2Area") / scale.spacing() ** 2, 2)} % of the mean area. A free foam also loses gas
-through its boundary, which the estimate leaves out; how much, the tables below say."""
+{number(100 * published.number("constants", "T2Area") / scale.spacing() ** 2, 2)} % of the mean area. A free
+foam also loses gas through its boundary, which the estimate leaves out; how much, the tables below say."""

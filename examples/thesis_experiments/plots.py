@@ -11,7 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.ticker import FuncFormatter
 from PIL import Image
 
-from thesis_experiments import published
+from thesis_experiments import published, scale
 from thesis_experiments.results import write_whole
 
 INK, PUBLISHED = "#1a2430", "0.45"
@@ -76,11 +76,16 @@ def snapshot_columns(results):
     return columns
 
 
-def binned(result, values, summarise):
+def bin_edges(results):
+    """Edges in time of bins for all of the runs, none narrower than a step of any."""
+    end = max(result.last("Time") for result in results.values())
+    step = max(result.about["time_step"] for result in results.values())
+    return np.linspace(0, end + step, 1 + min(BINS, round(end / step) + 1))
+
+
+def binned(result, edges, values, summarise):
     """The middle times of bins and the summaries of the frames in them; bins without frames are left out."""
-    seconds = result.frames["Time"]
-    edges = np.linspace(0, seconds[-1] * (1 + 1e-9) or 1, min(BINS, len(seconds)) + 1)
-    groups = np.digitize(seconds, edges) - 1
+    groups = np.digitize(result.frames["Time"], edges) - 1
     there = np.unique(groups)
     return (edges[there] + edges[there + 1]) / 2, np.array([summarise(values[groups == group]) for group in there])
 
@@ -88,18 +93,19 @@ def binned(result, values, summarise):
 def plot_development(results, section, path):
     """Numbers of bubbles, and μ₂ with and without the boundary as mean and range."""
     figure, ((bubbles, every, bulk),) = new_figure(1, 3, 2.6)
+    edges = bin_edges(results)
     for name, result in results.items():
         seconds = result.frames["Time"]
         bubbles.plot(seconds, result.frames["Bubbles"], color=COLOURS[name], label=NAMES[name])
         bubbles.plot(seconds, result.frames["BulkBubbles"], color=COLOURS[name], ls=":", lw=1)
         for axes, column in ((every, "Mu2"), (bulk, "BulkMu2")):
-            time, mean = binned(result, result.frames[column], np.mean)
-            axes.fill_between(time, binned(result, result.frames[column], np.min)[1],
-                              binned(result, result.frames[column], np.max)[1], color=COLOURS[name], alpha=0.25, lw=0)
+            time, mean = binned(result, edges, result.frames[column], np.mean)
+            low, high = (binned(result, edges, result.frames[column], extreme)[1] for extreme in (np.min, np.max))
+            axes.fill_between(time, low, high, color=COLOURS[name], alpha=0.25, lw=0)
             axes.plot(time, mean, color=COLOURS[name])
     bubbles.plot([], [], color=PUBLISHED, ls=":", lw=1, label="without boundary")
     if published.text(section, "bubbles left") != "–":
-        end = 0 if section == "6.2" else published.number(section, "frames") / 30
+        end = 0 if section == "6.2" else published.number(section, "frames") * scale.time_step()
         bubbles.plot(end, published.number(section, "bubbles left"), "D", ms=5, color=PUBLISHED, label="thesis")
     for axes in (every, bulk):
         axes.axhline(published.number("reference", "mu2"), color=PUBLISHED, lw=0.8, ls="--", zorder=0)
@@ -144,6 +150,7 @@ def plot_sides(results, path):
 def plot_work(results, path):
     """Iterations, topological operations and time."""
     figure, axes = new_figure(2, 3, 4.2, sharex=True)
+    edges = bin_edges(results)
     panels = dict(zip(("iterations per step", "T1s per second", "T2s and T3s per second",
                        "iterations per bubble and step", "wall time (s) per simulated second",
                        "iterations per second of wall time"), axes.flat))
@@ -156,7 +163,7 @@ def plot_work(results, path):
                 frames["Iterations"], rate["T1Count"], rate["T2Count"] + rate["T3Count"],
                 frames["Iterations"] / frames["Bubbles"], frames["WallSeconds"] / step,
                 frames["Iterations"] / frames["WallSeconds"])):
-            panel.plot(*binned(result, values, np.mean), color=COLOURS[name], label=label)
+            panel.plot(*binned(result, edges, values, np.mean), color=COLOURS[name], label=label)
     for title, panel in panels.items():
         panel.set_title(title)
         if "wall" in title or title == "iterations per step":
@@ -165,7 +172,9 @@ def plot_work(results, path):
             panel.set_ylim(bottom=0)
     for panel in axes[1]:
         panel.set_xlabel("time / s")
-    axes[0, 0].legend()
+    low, high = axes[0, 0].get_ylim()
+    axes[0, 0].set_ylim(low, high * (high / low) ** 0.45)  # room for the legend
+    axes[0, 0].legend(loc="upper left")
     save(figure, path)
 
 
@@ -193,7 +202,7 @@ def plot_distance(results, path):
             for column, marker, filled in ((mean, "o", True), (largest, "o", False)):
                 if column is None:
                     continue
-                values = np.abs(result.quality[column])
+                values = np.abs(result.quality.get(column, np.array([])))
                 values = values[np.isfinite(values) & (values > 0)]
                 if len(values):
                     axes.plot([values.min(), values.max()], [y, y], color=colour, lw=1, alpha=0.5)

@@ -31,10 +31,12 @@ class Table:
 
 
 def columns(path):
-    """The columns of a Table as arrays of floats; a last row that was cut off is left out."""
+    """The columns of a Table as arrays of floats, but for a last row that was cut off; none of a table without rows."""
     with open(path, newline="") as file:
-        rows = [row for row in csv.reader(file)]
+        rows = list(csv.reader(file))
     rows = [row for row in rows if len(row) == len(rows[0])]
+    if len(rows) < 2:
+        return {}
     values = np.array(rows[1:], dtype=float).reshape(-1, len(rows[0]))
     return {name: values[:, i] for i, name in enumerate(rows[0])}
 
@@ -58,7 +60,7 @@ class Result:
         self.about = json.loads((folder / f"{run_name}.json").read_text())
         self.frames = columns(folder / f"{run_name}.csv")
         quality = folder / f"{run_name}.quality.csv"
-        self.quality = columns(quality) if quality.exists() else None
+        self.quality = columns(quality) if quality.exists() else {}
         films = folder / f"{run_name}.films.npz"
         self.films = dict(np.load(films)) if films.exists() else {}
 
@@ -76,6 +78,6 @@ class Result:
 
 def read(folder, experiment):
     """The results of an experiment's runs by their names, of those that are there and got anywhere."""
-    return {run.name: Result(folder / experiment.name, run.name) for run in experiment.runs
-            if (folder / experiment.name / f"{run.name}.json").exists()
-            and (folder / experiment.name / f"{run.name}.csv").exists()}
+    there = {run.name: Result(folder / experiment.name, run.name) for run in experiment.runs
+             if (folder / experiment.name / f"{run.name}.csv").exists()}
+    return {name: result for name, result in there.items() if result.frames}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the experiments and leaves their results."""
+import os
 import time
 
 import numpy as np
@@ -23,7 +24,7 @@ def run(experiment, wanted, folder, minutes, quick):
 
 
 class Recording:
-    """Coarsens one foam until its frames are done, its foam has ended, or the minutes are over, and keeps the results."""
+    """Coarsens one foam until its frames are done, its foam has ended, or the minutes are over; keeps the results."""
 
     def __init__(self, run, folder, minutes):
         self.run = run
@@ -33,7 +34,7 @@ class Recording:
         self.about = {
             "label": run.method.label, "bubbles": run.bubbles, "spacing": scale.spacing(), "steps": run.steps,
             "frames_per_step": run.frames_per_step, "time_step": run.frames_per_step * scale.time_step(),
-            "status": "running", "snapshots": []}
+            "examine_every": run.examine_every, "cores": os.cpu_count(), "status": "running", "snapshots": []}
         self.films = {}
 
     def go(self):
@@ -42,6 +43,7 @@ class Recording:
             print(f"{self.title}: {self.about['status']}", flush=True)
             write_json(self.path("json"), self.about)
             return
+        write_json(self.path("json"), self.about)
         table = Table(self.path("csv"))
         quality = Table(self.path("quality.csv")) if self.run.examine_every else None
         begin = reported = time.monotonic()

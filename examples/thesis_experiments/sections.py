@@ -40,16 +40,19 @@ def sweeps(foams, about, folder):
     return f"""\
 ## Gauss–Seidel against Jacobi (thesis {published.where("4.13")})
 
-The first equilibria of {number(count)} foams of {number(about["bubbles"])} bubbles, as many as fit into the time given (the thesis:
-{as_published(published.text("4.13", "simulations"))}). The thesis measured an early version of its method, without the Energy Decay Constraint; so do
-these, without either constraint. Times are processor times, those of all threads added up.
+The first equilibria of {number(count)} foams of {number(about["bubbles"])} bubbles, as many as fit into the
+time given (the thesis: {as_published(published.text("4.13", "simulations"))}). The thesis measured an early version of
+its method, without the Energy Decay Constraint; so do these, without either constraint. Times are processor times,
+those of all threads added up.
 
 {table(["", "Gauss–Seidel, thesis", "run here", "Jacobi, thesis", "run here", "Newton"],
        [[quantity, *values] for quantity, *values in zip(quantities, *columns)])}
 
 Jacobi takes {number(means["Jacobi"])} iterations on average against {number(means["GaussSeidel"])} of Gauss–Seidel;
-{"also in the thesis" if same else "in the thesis it is the other way round:"} {number(theirs["Jacobi"])} against {number(theirs["GaussSeidel"])}. Newton takes {number(means["Newton"])}, each of
-which solves for the whole foam, and is the only one of the three whose result is an equilibrium.
+{"also in the thesis" if same else "in the thesis it is the other way round:"} {number(theirs["Jacobi"])}
+against {number(theirs["GaussSeidel"])}. Newton takes
+{number(means["Newton"])}, each of which solves for the whole foam, and is the only one of the three whose result is an
+equilibrium.
 
 {figure(folder / "sweeps.png", "Iterations against time for every foam, as in the thesis's Figure 4.14.")}"""
 
@@ -75,10 +78,11 @@ def evolution(experiment, found, folder):
         figure(pictures["frames"], "Frames shown in the thesis, and the last one of each run. Frame 1 is the first "
                                    "equilibrium."),
         figure(pictures["development"], "Number of bubbles, with the boundary and without (dotted), and μ₂: mean and "
-                                        f"range. The dashed line is the μ₂ = {published.text('reference', 'mu2')} of Stavans "
-                                        "and Glazier."),
+                                        f"range. The dashed line is the μ₂ = {published.text('reference', 'mu2')} "
+                                        "of Stavans and Glazier."),
         figure(pictures["sides"], "Distribution of the number of sides without the boundary (filled) and with it "
-                                  f"(outlined), and Aboav–Weaire's n·m(n) without the boundary against {aboav} (dashed)."),
+                                  f"(outlined), and Aboav–Weaire's n·m(n) without the boundary against "
+                                  f"{aboav} (dashed)."),
         figure(pictures["work"], "Iterations, topological operations and time. Newton's iterations are solutions for a "
                                  "patch or the whole foam, the thesis's sweeps over all junctions.")])
 
@@ -89,8 +93,8 @@ def remark(experiment, found):
         frames = {name: result.last("Frame") for name, result in found.items() if "left" in result.about["status"]}
         theirs = published.number("6.1.1", "frames")
         return " ".join(
-            f"For {plots.NAMES[name]} it takes {number(count)} frames until three are left; since times go with the square "
-            f"of lengths, the thesis's {number(theirs)} frames stand for a spacing of "
+            f"For {plots.NAMES[name]} it takes {number(count)} frames until three are left; since times go with "
+            f"the square of lengths, the thesis's {number(theirs)} frames stand for a spacing of "
             f"{number(scale.spacing() * np.sqrt(theirs / count))} cm." for name, count in frames.items())
     if experiment.section == "6.2":
         lost = published.number("6.2", "bubbles") - published.number("6.2", "bubbles left")
@@ -110,8 +114,14 @@ def progress(result):
     about = result.about
     frame = number(result.last("Frame"))
     goal = number(about["steps"] * about["frames_per_step"] + 1)
-    return (f"{number(len(result.frames['Frame']) - 1)} steps of {number(about['time_step'])} s, up to frame {frame} of {goal} "
-            f"(t = {number(result.last('Time'))} s): {about['status']}.")
+    steps = number(len(result.frames["Frame"]) - 1)
+    return (f"{steps} steps of {number(about['time_step'])} s, up to frame {frame} of {goal} (t = "
+            f"{number(result.last('Time'))} s): {about['status']}; on {about['cores']} cores{looked_for(about)}.")
+
+
+def looked_for(about):
+    every = about["examine_every"]
+    return f", with anomalies looked for in {'every step' if every == 1 else f'one of {every} steps'}" if every else ""
 
 
 def evolution_rows(experiment, found):
@@ -174,7 +184,7 @@ def per_thousand(result, name):
 
 def frames_with_anomaly(result):
     """Frames with any anomaly, per 1,000."""
-    return 1000 * np.mean(sum(result.quality[name] for name in ANOMALIES) > 0)
+    return 1000 * np.mean(sum(result.quality[name] for name in ANOMALIES) > 0) if result.quality else np.nan
 
 
 def comparison(thesis, newton):
@@ -185,14 +195,15 @@ def comparison(thesis, newton):
               / (thesis.frames["WallSeconds"].sum() / thesis.last("Time")))
     words = (f"{number(1 / faster)} times as long as Newton" if faster < 1 else
              f"1/{number(faster)} of the time that Newton takes")
-    return (f"At t = {number(seconds)} s, the last time that both reached, the thesis's method has {number(bubbles['thesis'])} bubbles and "
-            f"Newton {number(bubbles['newton'])}, a difference of {number(abs(difference), 2)} %. Per simulated second the thesis's method "
-            f"takes {words}. {number(frames_with_anomaly(thesis))} of 1,000 frames of the thesis's method and "
+    return (f"At t = {number(seconds)} s, the last time that both reached, the thesis's method has "
+            f"{number(bubbles['thesis'])} bubbles and Newton {number(bubbles['newton'])}, a difference of "
+            f"{number(abs(difference), 2)} %. Per simulated second the thesis's method takes {words}. "
+            f"{number(frames_with_anomaly(thesis))} of 1,000 frames of the thesis's method and "
             f"{number(frames_with_anomaly(newton))} of Newton's have an anomaly of at least one kind.")
 
 
 def median(result, column):
-    values = result.quality[column]
+    values = result.quality.get(column, np.array([]))
     values = values[np.isfinite(values)]
     return np.median(values) if len(values) else np.nan
 
@@ -218,11 +229,14 @@ def distance(found, skipped, folder):
     first = next(iter(found.values()))
     notes = "".join(f"\n\n*{label}* is missing: {status}." for label, status in skipped.items())
     statuses = ", ".join(f"{result.about['label']}: {result.about['status']}" for result in found.values())
+    caption = ("Mean (filled) and largest (open) error of each method: medians and ranges over the examined frames. "
+               "Excess energies are absolute values.")
     return f"""\
 ## How far from equilibrium each method stops
 
-The same {number(first.about["bubbles"])} points, relaxed and coarsened in steps of {number(first.about["time_step"])} s by the thesis's method with
-each of its constraints, by the root search on energies instead of angles that it proposes in Section 7.1.1, and by
+The same {number(first.about["bubbles"])} points, relaxed and coarsened in steps of
+{number(first.about["time_step"])} s by the thesis's method with each of its constraints, by the root search on energies
+instead of angles that it proposes in Section 7.1.1, and by
 Newton. Errors are medians over the examined frames: of the deviation of angles from 120°, in the worst junction and on
 average over the junctions, and of areas from their targets. Excess energy is relative to Newton's equilibrium of the
 same frame, found from the frame's films without diffusion or thresholds; since bubbles that are smaller than they ought
@@ -234,7 +248,7 @@ in the output.
 
 Runs: {statuses}.{notes}
 
-{figure(folder / "distance.png", "Mean (filled) and largest (open) error of each method: medians and ranges over the examined frames. Excess energies are absolute values.")}
+{figure(folder / "distance.png", caption)}
 
 {verdicts(found)}"""
 
@@ -249,8 +263,8 @@ def verdicts(found):
         calmest = min(constrained.values(), key=frames_with_anomaly)
         sentences.append(
             f"Of the thesis's variants *{best.about['label']}* comes nearest to 120°, with a mean angle error of "
-            f"{number(median(best, 'MeanAngle'))} rad, and *{calmest.about['label']}* has the fewest frames with anomalies, "
-            f"{number(frames_with_anomaly(calmest))} of 1,000.")
+            f"{number(median(best, 'MeanAngle'))} rad, and *{calmest.about['label']}* has the fewest frames with "
+            f"anomalies, {number(frames_with_anomaly(calmest))} of 1,000.")
     if "newton" in found:
         newton = found["newton"]
         sentences.append(f"Newton's mean angle error is {number(median(newton, 'MeanAngle'))} rad, and "
@@ -265,13 +279,13 @@ def promise(energies, angles):
     """Whether the energy-based root search does without constraints what the angles cannot (7.1.1)."""
     fewer = frames_with_anomaly(energies) < frames_with_anomaly(angles)
     nearer = median(energies, "MeanAngle") <= median(angles, "MeanAngle")
-    kept = {(True, True): "keeps its promise here", (True, False): "keeps half of its promise: it goes wrong less often, "
-            "but stops farther from equilibrium", (False, True): "keeps half of its promise: it comes nearer to "
+    kept = {(True, True): "keeps its promise here", (True, False): "keeps half of its promise: it goes wrong less "
+            "often, but stops farther from equilibrium", (False, True): "keeps half of its promise: it comes nearer to "
             "equilibrium, but does not go wrong less often", (False, False): "does not keep its promise here"}
-    return (f"The root search on *{energies.about['label']}* has {number(frames_with_anomaly(energies))} frames with anomalies of "
-            f"1,000 and a mean angle error of {number(median(energies, 'MeanAngle'))} rad, against "
-            f"{number(frames_with_anomaly(angles))} and {number(median(angles, 'MeanAngle'))} rad of the angles without constraint: it "
-            f"{kept[fewer, nearer]}.")
+    return (f"The root search on *{energies.about['label']}* has {number(frames_with_anomaly(energies))} frames with "
+            f"anomalies of 1,000 and a mean angle error of {number(median(energies, 'MeanAngle'))} rad, against "
+            f"{number(frames_with_anomaly(angles))} and {number(median(angles, 'MeanAngle'))} rad of the angles "
+            f"without constraint: it {kept[fewer, nearer]}.")
 
 
 def algorithms(found):
@@ -279,7 +293,7 @@ def algorithms(found):
     quantities = [
         ("frames done", lambda r: r.last("Frame")),
         ("bubbles left", lambda r: r.last("Bubbles")),
-        ("T1s", lambda r: r.last("T1Count")), ("T2s", lambda r: r.last("T2Count")), ("T3s", lambda r: r.last("T3Count")),
+        *((f"{name}s", lambda r, name=name: r.last(f"{name}Count")) for name in ("T1", "T2", "T3")),
         ("bubbles that ought to have vanished, per 1,000 frames", lambda r: per_thousand(r, "Unfinished")),
         *((f"{label}, per 1,000 frames", lambda r, name=name: per_thousand(r, name))
           for name, label in ANOMALIES.items()),
@@ -297,9 +311,9 @@ def algorithms(found):
     return f"""\
 ## The topological algorithms (thesis Section 4.3)
 
-{number(first.about["bubbles"])} bubbles with the Energy Decay Constraint, coarsened with each of the three algorithms for topological
-operations. A cascade is unfinished where after a frame's operations a three-sided bubble is left whose target area is
-below the T2 area.
+{number(first.about["bubbles"])} bubbles with the Energy Decay Constraint, coarsened with each of the three algorithms
+for topological operations. A cascade is unfinished where after a frame's operations a three-sided bubble is left
+whose target area is below the T2 area.
 
 {table(header, [[name, *(number(measure(result)) for result in found.values())] for name, measure in quantities])}
 

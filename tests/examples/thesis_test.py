@@ -66,7 +66,8 @@ class Page(unittest.TestCase):
             for title, column in (("bubbles left in the last frame", "Bubbles"), ("T1s", "T1Count"),
                                   ("T2s", "T2Count"), ("last frame", "Frame")):
                 with self.subTest(experiment=experiment.name, title=title):
-                    self.assertEqual(self.table_row(experiment.title, title)[1:], [f"{row[column]:.0f}" for row in last])
+                    self.assertEqual(self.table_row(experiment.title, title)[1:],
+                                     [f"{row[column]:.0f}" for row in last])
 
     def test_gas_is_what_von_neumanns_law_leaves(self):
         """A free foam loses K(6 + n) a second for n bubbles on its boundary."""

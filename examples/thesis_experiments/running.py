@@ -97,7 +97,7 @@ class Recording:
         if coarsening.ended:
             return "the foam ended"
         if row["Bubbles"] <= self.run.until_bubbles:
-            return f"{self.run.until_bubbles} bubbles left"
+            return f"{row['Bubbles']} bubbles left"
         if step == self.run.steps:
             return "complete"
         return "out of time" if time.monotonic() > self.deadline else "running"

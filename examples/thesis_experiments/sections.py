@@ -93,7 +93,7 @@ def remark(experiment, found):
         frames = {name: result.last("Frame") for name, result in found.items() if "left" in result.about["status"]}
         theirs = published.number("6.1.1", "frames")
         return " ".join(
-            f"For {plots.NAMES[name]} it takes {number(count)} frames until three are left; since times go with "
+            f"For {plots.NAMES[name]} it takes {number(count)} frames until no more than three are left; since times go with "
             f"the square of lengths, the thesis's {number(theirs)} frames stand for a spacing of "
             f"{number(scale.spacing() * np.sqrt(theirs / count))} cm." for name, count in frames.items())
     if experiment.section == "6.2":

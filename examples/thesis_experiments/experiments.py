@@ -102,7 +102,7 @@ def algorithms():
 SWEEPS = Sweeps()
 EVOLUTIONS = (
     evolution("lower-extreme", "6.1.1", "until three are left", ENERGY_DECAY, 1, 10, frames=6000,
-              until_bubbles=3),
+              until_bubbles=3, pictures=tuple(range(1, 2002, 400)), properties={"ChordError": 0.01}),
     evolution("energy-decay", "6.1.2", "with the Energy Decay Constraint", ENERGY_DECAY, 30, 30),
     evolution("orientation-invariant", "6.1.3", "with the Orientation Invariant Constraint",
               ORIENTATION_INVARIANT, 30, 30),

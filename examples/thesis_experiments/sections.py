@@ -93,8 +93,8 @@ def remark(experiment, found):
         frames = {name: result.last("Frame") for name, result in found.items() if "left" in result.about["status"]}
         theirs = published.number("6.1.1", "frames")
         return " ".join(
-            f"For {plots.NAMES[name]} it takes {number(count)} frames until no more than three are left; since times go with "
-            f"the square of lengths, the thesis's {number(theirs)} frames stand for a spacing of "
+            f"With {'the ' if name == 'thesis' else ''}{plots.NAMES[name]} it takes {number(count)} frames until "
+            f"no more than three are left; since times go with the square of lengths, the thesis's {number(theirs)} frames stand for a spacing of "
             f"{number(scale.spacing() * np.sqrt(theirs / count))} cm." for name, count in frames.items())
     if experiment.section == "6.2":
         lost = published.number("6.2", "bubbles") - published.number("6.2", "bubbles left")
@@ -306,7 +306,7 @@ def algorithms(found):
     first = next(iter(found.values()))
     left = {result.about["label"]: per_thousand(result, "Unfinished") for result in found.values()}
     most, fewest = max(left, key=left.get), min(left, key=left.get)
-    verdict = ("They leave equally many operations undone." if left[most] == left[fewest] else
+    verdict = "" if len(found) < 2 else ("They leave equally many operations undone." if left[most] == left[fewest] else
                f"*{most}* leaves the most operations undone, *{fewest}* the fewest.")
     return f"""\
 ## The topological algorithms (thesis Section 4.3)

@@ -11,6 +11,8 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index>;
 
+constexpr double kAccuracy = 1e-3;
+
 /// LDLᵀ without pivoting. The matrices of a foam near equilibrium are quasi-definite up to the
 /// delicate unknowns, and those come last.
 class EigenSolver final : public SparseSolver {
@@ -37,7 +39,7 @@ public:
     permuted_.selfadjointView<Eigen::Lower>() =
         Matrix(lower).selfadjointView<Eigen::Lower>().twistedBy(order_);
     ldlt_.factorize(permuted_);
-    if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite()) {
+    if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite() || !accurate()) {
       return -1;
     }
     return static_cast<Index>((ldlt_.vectorD().array() < 0).count());
@@ -50,6 +52,14 @@ public:
   }
 
 private:
+  /// Whether small pivots have left enough digits: solves for what is known.
+  bool accurate() const {
+    const Eigen::VectorXd known = Eigen::VectorXd::Ones(permuted_.rows());
+    const Eigen::VectorXd found =
+        ldlt_.solve(Eigen::VectorXd(permuted_.selfadjointView<Eigen::Lower>() * known));
+    return (found - known).cwiseAbs().maxCoeff() < kAccuracy;
+  }
+
   /// Approximate minimum degree on the leading unknowns, the rest as they stand.
   static Permutation elimination_order(const Matrix& lower, Index leading) {
     const Matrix block = lower.topLeftCorner(leading, leading);

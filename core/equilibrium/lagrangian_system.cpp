@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "equilibrium/film_lagrangian.h"
 
@@ -13,6 +14,8 @@ namespace {
 constexpr double kKeepBelow = 0.2;     // angles that are kept from the start
 constexpr double kEliminateTo = 0.1;   // an eliminated one must not fall below this
 constexpr double kLargestGrowth = 0.5; // of a bubble's area that one step asks for
+constexpr int kRefinements = 10;
+constexpr double kRefined = 1e-10; // relative size of the last correction
 constexpr double kRegularisation = 1e-8;
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
@@ -49,9 +52,15 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
     constexpr auto k = FilmLagrangian::kAngle;
     keep_angle_[i] = film.hessian[k][k] < kKeepBelow * tension * norm(chord);
   }
+  renumber(foam);
+  ready_ = true;
+}
+
+void LagrangianSystem::renumber(const Foam& foam) {
   number_unknowns(foam);
   build_pattern();
-  ready_ = true;
+  analysed_ = false;
+  factorised_ = false;
 }
 
 void LagrangianSystem::number_unknowns(const Foam& foam) {
@@ -88,7 +97,6 @@ void LagrangianSystem::number_unknowns(const Foam& foam) {
 }
 
 void LagrangianSystem::build_pattern() {
-  analysed_ = false;
   struct Entry {
     Index column, row;
     Index* slot;
@@ -235,8 +243,7 @@ bool LagrangianSystem::factorise(const Foam& foam, bool stationary) {
   double shift = 0;
   while (shift <= kLargestShift) {
     if (!assemble(foam, shift)) { // some angles are to be kept that were not: other unknowns
-      number_unknowns(foam);
-      build_pattern();
+      renumber(foam);
       evaluate(foam);
       continue;
     }
@@ -276,38 +283,89 @@ const Step& LagrangianSystem::newton_step(const Foam& foam) {
   return step_;
 }
 
-const Step& LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate) {
-  rhs_.assign(Foam::size(unknowns_), 0.0);
+const Step* LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate,
+                                       bool refined) {
+  if (!factorised_) {
+    return nullptr;
+  }
+  if (!assemble(foam, 0)) {
+    renumber(foam);
+    return nullptr;
+  }
+  std::vector<double> load(Foam::size(unknowns_), 0.0);
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
-    rhs_[Foam::size(pressure_start_) + i] = -area_rate[Foam::size(region_.bubbles[i])];
+    load[Foam::size(pressure_start_) + i] = -area_rate[Foam::size(region_.bubbles[i])];
+  }
+  const auto speed = [&](const std::vector<double>& x) { // of the fastest junction, cm/s
+    double largest = 0;
+    for (std::size_t i = 0; i < Foam::size(pressure_start_); ++i) {
+      largest = std::max(largest, std::abs(x[i]));
+    }
+    return largest;
+  };
+  rhs_.assign(load.size(), 0.0);
+  bool done = false;
+  for (int k = 0; k < kRefinements && !done; ++k) {
+    std::vector<double> correction = load;
+    subtract_product(rhs_, correction);
+    solver_->solve(correction);
+    remove_rigid_motion(foam, correction);
+    std::ranges::transform(rhs_, correction, rhs_.begin(), std::plus<>());
+    done = speed(correction) <= kRefined * speed(rhs_);
+  }
+  if (refined && !done) {
+    return nullptr;
   }
   angle_gradient_.assign(region_.films.size(), 0.0);
-  solver_->solve(rhs_);
   extract(foam, response_);
-  return response_;
+  return &response_;
 }
 
-/// Takes out of a step what moves the foam as a whole: it costs nothing, so that rounding decides
-/// how much of it there is. On a torus that is a translation, for a free foam a rotation too.
-void LagrangianSystem::remove_rigid_motion(const Foam& foam, std::vector<Vec2>& step) const {
-  const double count = static_cast<double>(step.size());
+/// from −= K·x with the matrix as it was last assembled.
+void LagrangianSystem::subtract_product(std::span<const double> x, std::span<double> from) const {
+  for (std::size_t column = 0; column < Foam::size(unknowns_); ++column) {
+    for (Index k = pattern_.column_start[column]; k < pattern_.column_start[column + 1]; ++k) {
+      const auto row = Foam::size(pattern_.row[Foam::size(k)]);
+      const double value = values_[Foam::size(k)];
+      from[row] -= value * x[column];
+      if (row != column) {
+        from[column] -= value * x[row];
+      }
+    }
+  }
+}
+
+/// Takes out of the unknowns' changes what moves the foam as a whole: it costs nothing, so that
+/// rounding decides how much of it there is. On a torus that is a translation, for a free foam a
+/// rotation too.
+void LagrangianSystem::remove_rigid_motion(const Foam& foam, std::span<double> change) const {
+  if (!region_.whole || foam.boundary == Boundary::Fixed) {
+    return;
+  }
+  const std::size_t junctions = region_.junctions.size();
+  const auto moved = [&](std::size_t i) { return Vec2{change[2 * i], change[2 * i + 1]}; };
+  const auto position = [&](std::size_t i) {
+    return foam.position[Foam::size(region_.junctions[i])];
+  };
+  const double share = 1 / static_cast<double>(junctions);
   Vec2 translation;
   Vec2 centre;
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    translation += (1 / count) * step[i];
-    centre += (1 / count) * foam.position[Foam::size(region_.junctions[i])];
+  for (std::size_t i = 0; i < junctions; ++i) {
+    translation += share * moved(i);
+    centre += share * position(i);
   }
   double moment = 0;
   double inertia = 0;
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    const Vec2 r = foam.position[Foam::size(region_.junctions[i])] - centre;
-    moment += cross(r, step[i]);
+  for (std::size_t i = 0; i < junctions; ++i) {
+    const Vec2 r = position(i) - centre;
+    moment += cross(r, moved(i));
     inertia += dot(r, r);
   }
   const double rotation = foam.boundary == Boundary::Free ? moment / inertia : 0;
-  for (std::size_t i = 0; i < step.size(); ++i) {
-    const Vec2 r = foam.position[Foam::size(region_.junctions[i])] - centre;
-    step[i] -= translation + rotation * left_normal(r);
+  for (std::size_t i = 0; i < junctions; ++i) {
+    const Vec2 rigid = translation + rotation * left_normal(position(i) - centre);
+    change[2 * i] -= rigid.x;
+    change[2 * i + 1] -= rigid.y;
   }
 }
 
@@ -321,6 +379,7 @@ Vec2 LagrangianSystem::chord_change(const Foam& foam, Index film, const Step& st
 }
 
 void LagrangianSystem::extract(const Foam& foam, Step& step) {
+  remove_rigid_motion(foam, rhs_);
   step.junctions.resize(region_.junctions.size());
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
     step.junctions[i] = {rhs_[2 * i], rhs_[2 * i + 1]};
@@ -328,9 +387,6 @@ void LagrangianSystem::extract(const Foam& foam, Step& step) {
   step.pressures.assign(rhs_.begin() + pressure_start_,
                         rhs_.begin() + pressure_start_ +
                             static_cast<std::ptrdiff_t>(region_.bubbles.size()));
-  if (region_.whole && foam.boundary != Boundary::Fixed) {
-    remove_rigid_motion(foam, step.junctions);
-  }
   if (region_.whole && foam.boundary != Boundary::Free) {
     // Only differences of pressure act in a closed container; their mean stays.
     double mean = 0;

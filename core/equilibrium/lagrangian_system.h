@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "equilibrium/region.h"
@@ -61,8 +62,11 @@ public:
   const Step& newton_step(const Foam& foam);
 
   /// How the equilibrium moves per unit of time while target areas change at the given rates
-  /// (cm²/s, by bubble), to first order; uses the last factorise().
-  const Step& response(const Foam& foam, const std::vector<double>& area_rate);
+  /// (cm²/s, by bubble), to first order. The last factorise() serves, be it of another state of the
+  /// same topology: what it lacks is made up for by iterative refinement, so that the result is
+  /// that of the present state. \returns nothing if it does not serve; if `refined` is not asked
+  /// for, what there is.
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate, bool refined);
 
   /// How a step changes the chord of a film, cm.
   Vec2 chord_change(const Foam& foam, Index film, const Step& step) const;
@@ -74,11 +78,13 @@ private:
   };
 
   Vec2 displacement(Index junction, const Step& step) const;
+  void renumber(const Foam& foam);
   void number_unknowns(const Foam& foam);
   void build_pattern();
   bool assemble(const Foam& foam, double shift);
+  void subtract_product(std::span<const double> x, std::span<double> from) const;
   void extract(const Foam& foam, Step& step);
-  void remove_rigid_motion(const Foam& foam, std::vector<Vec2>& step) const;
+  void remove_rigid_motion(const Foam& foam, std::span<double> change) const;
   double pressure_jump(const Foam& foam, Index film) const;
 
   Region region_;

@@ -58,6 +58,7 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
 }
 
 bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles, double t1_length,
+                                     const std::function<void(const Region&)>& prepare,
                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.assign(foam.film_angle.size(), 0);
@@ -67,7 +68,9 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles,
              foam, patch_,
              [&](const Foam& f, std::span<const Index> touched) {
                centre.insert(centre.end(), touched.begin(), touched.end());
-               return patch(f, centre, kPatchRings);
+               Region region = patch(f, centre, kPatchRings);
+               prepare(region);
+               return region;
              },
              std::max(kPatchTolerance, options_.tolerance), t1_length, aborted)
       .converged;
@@ -82,18 +85,25 @@ EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome)
   return foam.report;
 }
 
-const Step& NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate) {
+const Step* NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate) {
   if (!whole_.fits(foam)) {
     whole_.set_up(foam, whole_foam(foam));
   }
-  whole_.factorise(foam, true);
-  return whole_.response(foam, area_rate);
+  return response(whole_, foam, area_rate);
 }
 
-const Step& NewtonEquilibrator::patch_response(const Foam& foam,
+const Step* NewtonEquilibrator::patch_response(const Foam& foam,
                                                const std::vector<double>& area_rate) {
-  patch_.factorise(foam, true);
-  return patch_.response(foam, area_rate);
+  return response(patch_, foam, area_rate);
+}
+
+const Step* NewtonEquilibrator::response(LagrangianSystem& system, const Foam& foam,
+                                         const std::vector<double>& area_rate) {
+  const Step* step = system.response(foam, area_rate, true);
+  if (step == nullptr && system.factorise(foam, true)) {
+    step = system.response(foam, area_rate, false);
+  }
+  return step;
 }
 
 template <class MakeRegion>
@@ -183,7 +193,7 @@ bool NewtonEquilibrator::search_line(Foam& foam, LagrangianSystem& system, const
     return false;
   };
   const double longest = longest_step(foam, system, step);
-  if (longest < 1 && improves(limited_step(foam, system, step), 1)) {
+  if (longest < 1 && system.region().whole && improves(limited_step(foam, system, step), 1)) {
     return true;
   }
   for (double fraction = longest; fraction > kSmallestStep * longest; fraction *= 0.5) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,21 +31,25 @@ public:
                                    const AbortCheck& aborted);
 
   /// Relaxes a patch of a few rings around some bubbles, roughly: what lies beyond has not moved.
+  /// \param prepare called with every region before it is looked at.
   /// \returns whether it found an equilibrium of the patch.
   bool relax_patch(Foam& foam, std::span<const Index> bubbles, double t1_length,
-                   const AbortCheck& aborted);
+                   const std::function<void(const Region&)>& prepare, const AbortCheck& aborted);
   /// Iterations of the last call.
   int iterations() const { return iterations_; }
 
   /// How a foam in equilibrium moves while its target areas change (LagrangianSystem::response),
-  /// in the order of region(). Factorises anew: the result depends on the foam alone.
-  const Step& response(const Foam& foam, const std::vector<double>& area_rate);
+  /// in the order of region(); nothing if it has no definite response.
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate);
   const Region& region() const { return whole_.region(); }
   /// The same of the last patch, in the order of patch_region().
-  const Step& patch_response(const Foam& foam, const std::vector<double>& area_rate);
+  const Step* patch_response(const Foam& foam, const std::vector<double>& area_rate);
   const Region& patch_region() const { return patch_.region(); }
 
 private:
+  static const Step* response(LagrangianSystem& system, const Foam& foam,
+                              const std::vector<double>& area_rate);
+
   struct Outcome {
     bool converged = false;
     Residual residual;

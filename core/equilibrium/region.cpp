@@ -35,7 +35,7 @@ Region whole_foam(const Foam& foam) {
   return region;
 }
 
-Region patch(const Foam& foam, std::span<const Index> bubbles, int rings) {
+std::vector<Index> rings_around(const Foam& foam, std::span<const Index> bubbles, int rings) {
   std::vector<Index> inside(bubbles.begin(), bubbles.end());
   std::erase_if(inside, [&](Index b) { return b == kWorld || !foam.has_bubble(b); });
   sort_unique(inside);
@@ -49,7 +49,11 @@ Region patch(const Foam& foam, std::span<const Index> bubbles, int rings) {
     }
     sort_unique(inside);
   }
+  return inside;
+}
 
+Region patch(const Foam& foam, std::span<const Index> bubbles, int rings) {
+  const std::vector<Index> inside = rings_around(foam, bubbles, rings);
   Region region;
   for (const Index b : inside) {
     for_each_half(foam, b, [&](Index h) {

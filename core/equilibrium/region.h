@@ -20,6 +20,9 @@ struct Region {
 /// All of a foam. Junctions and films on the wall of a sealed container are held.
 Region whole_foam(const Foam& foam);
 
+/// The given bubbles that are there and so many rings of neighbours around them, ascending.
+std::vector<Index> rings_around(const Foam& foam, std::span<const Index> bubbles, int rings);
+
 /// A patch: the junctions of the given bubbles and of `rings` rings of neighbours around them move.
 /// All bubbles at these junctions keep their areas: one of held pressure, grown or shrunk at no
 /// cost, would be unstable.

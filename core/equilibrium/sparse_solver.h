@@ -32,13 +32,14 @@ public:
   /// Symbolic factorisation.
   virtual void analyse(const SymmetricPattern& pattern) = 0;
   /// Numeric factorisation of the values in the pattern's order.
-  /// \returns the number of negative pivots, or −1 if the matrix cannot be factorised.
+  /// \returns the number of negative pivots, or −1 if the matrix cannot be factorised, or not
+  /// accurately.
   virtual Index factorise(std::span<const double> values) = 0;
   /// Replaces the right-hand side by the solution.
   virtual void solve(std::span<double> rhs) = 0;
 };
 
-/// MUMPS where it was found, Eigen's LDLᵀ otherwise.
+/// MUMPS for large systems where it was found, Eigen's LDLᵀ otherwise.
 std::unique_ptr<SparseSolver> make_sparse_solver();
 
 std::unique_ptr<SparseSolver> make_eigen_solver();

@@ -9,6 +9,11 @@ double von_neumann_constant(double surface_tension, double permeability) {
   return 2 * std::numbers::pi / 3 * surface_tension * permeability;
 }
 
+double von_neumann_rate(const Foam& foam, Index bubble, double permeability) {
+  return von_neumann_constant(foam.surface_tension, permeability) *
+         (foam.sides[Foam::size(bubble)] - 6);
+}
+
 std::vector<double> gas_transfer(const Foam& foam, double permeability) {
   std::vector<double> rate(foam.pressure.size(), 0.0);
   for (Index f = 0; f < foam.film_capacity(); ++f) {
@@ -31,11 +36,10 @@ std::vector<double> gas_transfer(const Foam& foam, double permeability) {
 }
 
 std::vector<double> area_rates(const Foam& foam, double permeability) {
-  const double constant = von_neumann_constant(foam.surface_tension, permeability);
   std::vector<double> rate(foam.pressure.size(), 0.0);
   for (Index b = 0; b < foam.bubble_capacity(); ++b) {
     if (foam.has_bubble(b)) {
-      rate[Foam::size(b)] = constant * (foam.sides[Foam::size(b)] - 6);
+      rate[Foam::size(b)] = von_neumann_rate(foam, b, permeability);
     }
   }
   if (foam.boundary != Boundary::Fixed) {

@@ -14,6 +14,10 @@ double von_neumann_constant(double surface_tension, double permeability);
 /// 0 for vanished bubbles. The wall of a sealed container lets nothing through.
 std::vector<double> gas_transfer(const Foam& foam, double permeability);
 
+/// Von Neumann's K(n − 6) of a bubble, cm²/s (thesis 2.4.5), also on the free boundary, where n
+/// counts the outer film.
+double von_neumann_rate(const Foam& foam, Index bubble, double permeability);
+
 /// The rates at which target areas change: von Neumann's K(n − 6) (thesis 2.4.5), also on the free
 /// boundary, where n counts the outer film. Beside the wall of a sealed container, where films do
 /// not end at 120°, it is the gas transfer itself; the container's total is conserved.

@@ -2,6 +2,7 @@
 #include "evolution/event_coarsening.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,19 +16,17 @@
 namespace foam {
 namespace {
 
-constexpr double kReached = 1e-9;        // relative slack of a threshold that has been met
-constexpr double kFinestStep = 1.0 / 64; // of a time step, towards a predicted T1
+constexpr double kReached = 1e-9;            // relative slack of a threshold that has been met
+constexpr double kFinestStep = 1.0 / 64;     // of a time step, towards a predicted T1
+constexpr double kFinestStrain = 1.0 / 4096; // of a time step, from one renewal to the next
 constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets smaller, no T2 area is
+constexpr double kRemnantArea = 1e-4;    // of the mean area: with more than three sides, none does
 constexpr double kSmallestLength = 1e-3; // of the mean spacing: no T1 length is shorter
-constexpr double kLargestChange = 0.25;  // of a film's chord along one response
+constexpr double kLargestChange = 0.25;  // of a chord or an area before the response is renewed
 constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
-constexpr int kRounds = 64;                // of events and relaxation in a frame,
-constexpr int kRoundsPerBubble = 8;        // and so many more for every bubble
-
-double smallest_area(const Foam& foam) {
-  const double spacing = foam.mean_spacing();
-  return kSmallestArea * spacing * spacing;
-}
+constexpr int kEvents = 1024;              // in a frame,
+constexpr int kEventsPerBubble = 16;       // and so many more for every bubble
+constexpr int kRings = 3;                  // around an event that its operations look at
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
 /// bubble cannot well spare one.
@@ -57,32 +56,6 @@ bool is_a_foam(const Foam& foam) {
 
 } // namespace
 
-void EventCoarsening::Motion::take(const Region& region, const Step& response) {
-  for (std::size_t i = 0; i < region.junctions.size(); ++i) {
-    junctions[Foam::size(region.junctions[i])] = response.junctions[i];
-  }
-  for (std::size_t i = 0; i < region.films.size(); ++i) {
-    angles[Foam::size(region.films[i])] = response.angles[i];
-  }
-  for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
-    pressures[Foam::size(region.bubbles[i])] = response.pressures[i];
-  }
-}
-
-void EventCoarsening::Motion::hold_wall(const Foam& foam) {
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    if (foam.has_film(f) && foam.wall(2 * f)) {
-      angles[Foam::size(f)] = 0;
-      junctions[Foam::size(foam.start(2 * f))] = {};
-      junctions[Foam::size(foam.end(2 * f))] = {};
-    }
-  }
-}
-
-Vec2 EventCoarsening::Motion::chord_rate(const Foam& foam, Index film) const {
-  return junctions[Foam::size(foam.end(2 * film))] - junctions[Foam::size(foam.start(2 * film))];
-}
-
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
     : options_(options), newton_(options.equilibrator) {}
 
@@ -90,13 +63,6 @@ void EventCoarsening::restart(Foam foam) {
   foam_ = std::move(foam);
   newton_.forget();
   patience_.assign(foam_.bubble_half.size(), 1.0);
-}
-
-Thresholds EventCoarsening::limits() const {
-  Thresholds t = thresholds(foam_, options_.thresholds);
-  t.t1_length = std::max(t.t1_length, kSmallestLength * foam_.mean_spacing());
-  t.t2_area = std::max(t.t2_area, smallest_area(foam_));
-  return t;
 }
 
 void EventCoarsening::undo(State state) {
@@ -107,7 +73,7 @@ void EventCoarsening::undo(State state) {
 }
 
 bool EventCoarsening::advance(const AbortCheck& aborted) {
-  const State before{foam_, motion_, patience_};
+  const State before{foam_, {}, patience_};
   iterations_ = 0;
   try {
     bool possible = integrate(false, aborted);
@@ -130,34 +96,38 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
 
 bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   careful_ = careful;
-  rounds_left_ = kRounds + kRoundsPerBubble * foam_.bubble_count();
+  now_ = 0;
+  const double spacing = foam_.mean_spacing();
+  limit_ = thresholds(foam_, options_.thresholds);
+  limit_.t1_length = std::max(limit_.t1_length, kSmallestLength * spacing);
+  smallest_area_ = kSmallestArea * spacing * spacing;
+  limit_.t2_area = std::max(limit_.t2_area, smallest_area_);
+
   predict_whole();
+  queue_.clear(foam_);
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(aborted);
   }
-  if (!settle_events(aborted)) {
-    return false;
+  expect_all();
+  for (Index f = 0; f < foam_.film_capacity(); ++f) {
+    if (foam_.has_film(f) && !foam_.wall(2 * f) && film_is_due(f)) {
+      expect({now_, Event::Kind::Close, f});
+    }
   }
-  for (double left = options_.time_step; left > 0;) {
+  int events_left = kEvents + kEventsPerBubble * foam_.bubble_count();
+  while (const auto event = queue_.next()) {
     if (aborted && aborted()) {
       throw Aborted();
     }
-    const double step = std::min(left, time_to_next_event());
+    now_ = event->time;
     const std::uint64_t topology = foam_.topology;
-    const std::vector<Index> strained = strained_bubbles(step);
-    move(step);
-    left = step < left ? left - step : 0;
-    if (careful_) {
-      relax_whole(kCarefulTolerance, aborted);
-      predict_whole();
-    } else if (!strained.empty()) {
-      relax_around(strained, aborted);
-    }
-    const bool stuck = !settle_events(aborted) || (step <= 0 && foam_.topology == topology);
-    if (stuck) {
+    if (events_left < 0 || !settle(*event, aborted)) {
       return false;
     }
+    events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
   }
+  now_ = options_.time_step;
+  motion_.bring_all(foam_, now_);
   balance_gas();
   relax_whole(options_.equilibrator.tolerance, aborted);
   return true;
@@ -181,161 +151,129 @@ void EventCoarsening::balance_gas() {
   }
 }
 
+/// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
-  motion_.junctions.assign(foam_.position.size(), {});
-  motion_.angles.assign(foam_.film_angle.size(), 0.0);
-  motion_.pressures.assign(foam_.pressure.size(), 0.0);
-  motion_.areas = area_rates(foam_, options_.permeability);
-  const Step& response = newton_.response(foam_, motion_.areas);
-  motion_.take(newton_.region(), response);
-}
-
-void EventCoarsening::move(double time) {
-  for (std::size_t j = 0; j < foam_.position.size(); ++j) {
-    foam_.position[j] += time * motion_.junctions[j];
-  }
-  for (std::size_t f = 0; f < foam_.film_angle.size(); ++f) {
-    foam_.film_angle[f] += time * motion_.angles[f];
-  }
-  for (std::size_t b = 0; b < foam_.pressure.size(); ++b) {
-    foam_.pressure[b] += time * motion_.pressures[b];
-    foam_.target_area[b] += time * motion_.areas[b];
+  std::vector<double> rates = area_rates(foam_, options_.permeability);
+  const Step* response = newton_.response(foam_, rates);
+  motion_.begin(foam_, std::move(rates), now_);
+  if (response != nullptr) {
+    motion_.take(newton_.region(), *response);
   }
 }
 
-double EventCoarsening::time_to_next_event() const {
-  const Thresholds limit = limits();
-  double time = std::numeric_limits<double>::infinity();
+void EventCoarsening::expect_all() {
+  queue_.clear(foam_);
   for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
-    const double rate = motion_.areas[Foam::size(b)];
-    if (foam_.has_bubble(b) && rate < 0) {
-      const double excess = foam_.target_area[Foam::size(b)] - collapse_area(b, limit);
-      time = std::min(time, std::max(excess, 0.0) / -rate);
+    if (foam_.has_bubble(b)) {
+      expect_bubble(b);
     }
   }
-  double t1_time = std::numeric_limits<double>::infinity();
   for (Index f = 0; f < foam_.film_capacity(); ++f) {
-    if (!foam_.has_film(f) || foam_.wall(2 * f)) {
-      continue;
-    }
-    const Vec2 chord = foam_.chord(2 * f);
-    const double d = norm(chord);
-    const Vec2 change = motion_.chord_rate(foam_, f);
-    const ArcShape shape = arc_shape(foam_.half_angle(2 * f));
-    const double length = d * shape.f;
-    const double growth =
-        shape.f * dot(chord, change) / d + d * shape.f1 * motion_.angles[Foam::size(f)];
-    if (growth < 0 && length > limit.t1_length && spares_sides(foam_, f)) {
-      t1_time = std::min(t1_time, (length - limit.t1_length) / -growth);
-    }
-    if (norm(change) > 0) {
-      t1_time = std::min(t1_time, kLargestChange * d / norm(change));
+    if (foam_.has_film(f)) {
+      expect_film(f);
     }
   }
-  return std::min(time, std::max(t1_time, kFinestStep * options_.time_step));
 }
 
-/// The bubbles around films that change so much in a step that the response does not carry on.
-std::vector<Index> EventCoarsening::strained_bubbles(double time) const {
-  std::vector<Index> bubbles;
-  for (Index f = 0; f < foam_.film_capacity(); ++f) {
-    if (foam_.has_film(f) && !foam_.wall(2 * f) &&
-        time * norm(motion_.chord_rate(foam_, f)) >
-            (1 - kReached) * kLargestChange * norm(foam_.chord(2 * f))) {
-      bubbles.insert(bubbles.end(), {foam_.left(2 * f), foam_.right(2 * f)});
+/// \pre the bubble stands at this instant
+void EventCoarsening::expect_bubble(Index bubble) {
+  queue_.cancel_bubble(bubble);
+  const double rate = motion_.area_rate(bubble);
+  if (rate < 0) {
+    const double excess = foam_.target_area[Foam::size(bubble)] - collapse_area(bubble);
+    expect({now_ + std::max(excess, 0.0) / -rate, Event::Kind::Collapse, bubble});
+  }
+}
+
+/// \pre the film stands at this instant
+void EventCoarsening::expect_film(Index film) {
+  queue_.cancel_film(film);
+  if (foam_.wall(2 * film)) {
+    return;
+  }
+  const Vec2 chord = foam_.chord(2 * film);
+  const Vec2 change = motion_.chord_rate(foam_, film);
+  const double d = norm(chord);
+  Event event{std::numeric_limits<double>::infinity(), Event::Kind::Close, film};
+  const ArcShape shape = arc_shape(foam_.half_angle(2 * film));
+  const double growth = shape.f * dot(chord, change) / d + d * shape.f1 * motion_.angle_rate(film);
+  if (growth < 0 && spares_sides(foam_, film)) {
+    const double excess = std::max(d * shape.f - limit_.t1_length, 0.0);
+    event.time = now_ + std::max(excess / -growth, kFinestStep * options_.time_step);
+  }
+  if (norm(change) > 0) {
+    const double strained =
+        now_ + std::max(kLargestChange * d / norm(change), kFinestStrain * options_.time_step);
+    if (strained < event.time) {
+      event = {strained, Event::Kind::Strain, film};
     }
   }
-  return bubbles;
+  expect(event);
 }
 
-void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {
-  const double goal = std::max(tolerance, options_.equilibrator.tolerance);
-  iterations_ += newton_.equilibrate_to(foam_, goal, limits().t1_length, aborted).iterations;
-}
-
-/// After an event at these bubbles. \returns whether an equilibrium was found.
-bool EventCoarsening::relax_around(std::span<const Index> bubbles, const AbortCheck& aborted) {
-  bool converged = newton_.relax_patch(foam_, bubbles, limits().t1_length, aborted);
-  iterations_ += newton_.iterations();
-  if (careful_) {
-    relax_whole(kCarefulTolerance, aborted);
-    converged = foam_.report.converged;
-    predict_whole();
-  } else {
-    motion_.areas = area_rates(foam_, options_.permeability);
-    const Step& response = newton_.patch_response(foam_, motion_.areas);
-    motion_.take(newton_.patch_region(), response);
-    motion_.hold_wall(foam_);
+void EventCoarsening::expect(const Event& event) {
+  if (event.time < options_.time_step) {
+    queue_.expect(event);
   }
-  return converged;
 }
 
-/// Whether the film is to be swapped: short, shrinking and pulled shut.
-bool EventCoarsening::film_is_due(Index film, const Thresholds& limit) const {
-  return foam_.length(2 * film) <= limit.t1_length * (1 + kReached) &&
-         dot(foam_.chord(2 * film), motion_.chord_rate(foam_, film)) < 0 &&
-         spares_sides(foam_, film) && pulled_shut(foam_, film);
-}
-
-/// The area at which the bubble is to give way.
-double EventCoarsening::collapse_area(Index bubble, const Thresholds& limit) const {
-  return foam_.sides[Foam::size(bubble)] <= 3
-             ? limit.t2_area
-             : std::max(limit.t2_area * patience_[Foam::size(bubble)], smallest_area(foam_));
-}
-
-/// Performs what is due at this instant, relaxes, and looks again. \returns false if a bubble would
-/// vanish that cannot, or if there is no end to it.
-bool EventCoarsening::settle_events(const AbortCheck& aborted) {
-  for (bool first = true; rounds_left_ > 0; first = false, --rounds_left_) {
-    const Thresholds limit = limits();
-    const auto small = [&](const Foam& foam, Index b) {
-      return foam.target_area[Foam::size(b)] <= limit.t2_area * (1 + kReached);
-    };
-    CollapseRules rules;
-    rules.t1 = [&](const Foam&, Index f) { return first && film_is_due(f, limit); };
-    rules.t2 = small;
-    rules.t3 = small;
-    const CascadeResult result = topological_cascade(foam_, rules);
+/// \returns false if a bubble would vanish that cannot.
+bool EventCoarsening::settle(const Event& event, const AbortCheck& aborted) {
+  if (event.kind == Event::Kind::Collapse) {
+    return !foam_.has_bubble(event.element) || settle_collapse(event.element, aborted);
+  }
+  if (!foam_.has_film(event.element)) {
+    return true;
+  }
+  const Index film = event.element;
+  const std::array bubbles{foam_.left(2 * film), foam_.right(2 * film)};
+  motion_.bring(foam_, rings_around(foam_, bubbles, kRings), now_);
+  if (event.kind == Event::Kind::Strain) {
+    relax_around(bubbles, aborted);
+    return true;
+  }
+  if (film_is_due(film)) {
+    const CascadeResult result = topological_cascade(foam_, rules(), std::array{film}, {});
     if (result.changed()) {
       relax_around(result.bubbles, aborted);
-    } else if (!reduce_remnants(aborted)) {
-      return !cannot_go_on();
-    }
-  }
-  return false;
-}
-
-/// Whether a bubble is at its end, but cannot be removed.
-bool EventCoarsening::cannot_go_on() const {
-  const Thresholds limit = limits();
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
-    const double end = foam_.sides[Foam::size(b)] <= 3 ? limit.t2_area : smallest_area(foam_);
-    if (foam_.has_bubble(b) && motion_.areas[Foam::size(b)] < 0 &&
-        foam_.target_area[Foam::size(b)] <= end * (1 + kReached)) {
       return true;
     }
   }
-  return false;
+  expect_film(film);
+  return true;
 }
 
-/// Takes a side from every shrinking bubble that is at the T2 area with more than three, so that
-/// three are left in the end. \returns whether anything changed.
-bool EventCoarsening::reduce_remnants(const AbortCheck& aborted) {
-  bool changed = false;
-  const Thresholds limit = limits();
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
-    const auto i = Foam::size(b);
-    if (foam_.has_bubble(b) && foam_.sides[i] > 3 && motion_.areas[i] < 0 &&
-        foam_.target_area[i] <= collapse_area(b, limit) * (1 + kReached)) {
-      changed = reduce_remnant(b, aborted) || changed;
+bool EventCoarsening::settle_collapse(Index bubble, const AbortCheck& aborted) {
+  motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
+  const auto i = Foam::size(bubble);
+  const double target = foam_.target_area[i];
+  if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
+    relax_around(std::array{bubble}, aborted);
+    if (motion_.area_rate(bubble) >= 0) {
+      return true;
     }
   }
-  return changed;
+  if (foam_.sides[i] <= 3) {
+    const CascadeResult result = topological_cascade(foam_, rules(), {}, std::array{bubble});
+    if (result.changed()) {
+      relax_around(result.bubbles, aborted);
+    }
+    return result.changed();
+  }
+  if (reduce_remnant(bubble, aborted)) {
+    return true;
+  }
+  if (foam_.target_area[i] <= smallest_area_ * (1 + kReached)) {
+    return false;
+  }
+  patience_[i] *= 0.25;
+  expect_bubble(bubble);
+  return true;
 }
 
-/// Swaps the shortest of the bubble's films with which the foam finds an equilibrium. Where there
-/// is none, the bubble may shrink to a quarter before the next attempt.
+/// Takes a side from a bubble that is at its end with more than three, so that three are left at
+/// last: swaps the shortest of its films with which the foam finds an equilibrium. \returns whether
+/// there is one.
 bool EventCoarsening::reduce_remnant(Index bubble, const AbortCheck& aborted) {
   const auto i = Foam::size(bubble);
   const State before{foam_, motion_, patience_};
@@ -343,23 +281,22 @@ bool EventCoarsening::reduce_remnant(Index bubble, const AbortCheck& aborted) {
     std::vector<Index> around{foam_.left(2 * film), foam_.right(2 * film)};
     perform_t1(foam_, film);
     around.insert(around.end(), {foam_.left(2 * film), foam_.right(2 * film)});
-    if (relax_around(around, aborted) && foam_.sides[i] < before.foam.sides[i]) {
+    if (relax_patch(around, aborted) && foam_.sides[i] < before.foam.sides[i]) {
+      move_on();
       return true;
     }
     undo(before);
   }
-  patience_[i] *= 0.25;
   return false;
 }
 
 /// Thesis 3.6.1: each two-sided bubble goes to the nearest corner and takes a side there.
 void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
-  const double distance = limits().t1_length;
   for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
     if (!can_perform_t3(foam_, b)) {
       continue;
     }
-    slide_two_sided_bubble(foam_, b, distance);
+    slide_two_sided_bubble(foam_, b, limit_.t1_length);
     std::vector<Index> around{b};
     Index shortest = kNone;
     for_each_half(foam_, b, [&](Index h) {
@@ -375,6 +312,90 @@ void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
     }
     relax_around(around, aborted);
   }
+}
+
+CollapseRules EventCoarsening::rules() const {
+  CollapseRules rules;
+  rules.t1 = [this](const Foam&, Index f) { return film_is_due(f); };
+  rules.t2 = [this](const Foam& foam, Index b) {
+    return foam.target_area[Foam::size(b)] <= limit_.t2_area * (1 + kReached);
+  };
+  rules.t3 = rules.t2;
+  return rules;
+}
+
+/// Whether the film is to be swapped: short, shrinking and pulled shut.
+bool EventCoarsening::film_is_due(Index film) const {
+  return foam_.length(2 * film) <= limit_.t1_length * (1 + kReached) &&
+         dot(foam_.chord(2 * film), motion_.chord_rate(foam_, film)) < 0 &&
+         spares_sides(foam_, film) && pulled_shut(foam_, film);
+}
+
+/// The area at which the bubble is to give way. With more than three sides it does so while there
+/// is still room for a swap, unless it was tried in vain.
+double EventCoarsening::collapse_area(Index bubble) const {
+  if (foam_.sides[Foam::size(bubble)] <= 3) {
+    return limit_.t2_area;
+  }
+  const double room = std::max(limit_.t2_area, kRemnantArea / kSmallestArea * smallest_area_);
+  return std::max(room * patience_[Foam::size(bubble)], smallest_area_);
+}
+
+/// After an event at these bubbles.
+void EventCoarsening::relax_around(std::span<const Index> bubbles, const AbortCheck& aborted) {
+  relax_patch(bubbles, aborted);
+  move_on();
+}
+
+/// \returns whether an equilibrium was found.
+bool EventCoarsening::relax_patch(std::span<const Index> bubbles, const AbortCheck& aborted) {
+  const auto bring = [this](const Region& region) {
+    motion_.bring(foam_, region.bubbles, now_);
+    motion_.bring(foam_, region.rim, now_);
+  };
+  const bool converged = newton_.relax_patch(foam_, bubbles, limit_.t1_length, bring, aborted);
+  iterations_ += newton_.iterations();
+  if (!careful_) {
+    return converged;
+  }
+  motion_.bring_all(foam_, now_);
+  relax_whole(kCarefulTolerance, aborted);
+  return foam_.report.converged;
+}
+
+void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {
+  const double goal = std::max(tolerance, options_.equilibrator.tolerance);
+  iterations_ += newton_.equilibrate_to(foam_, goal, limit_.t1_length, aborted).iterations;
+}
+
+/// Predicts how what has relaxed goes on.
+void EventCoarsening::move_on() {
+  if (careful_) {
+    predict_whole();
+    expect_all();
+    return;
+  }
+  const Region& region = newton_.patch_region();
+  if (foam_.boundary == Boundary::Fixed) { // gas transfer at the wall depends on the whole wall
+    motion_.bring_all(foam_, now_);
+    motion_.set_area_rates(area_rates(foam_, options_.permeability));
+    for (const Index b : region.bubbles) {
+      motion_.hold_wall(foam_, b);
+    }
+  } else {
+    for (const Index b : region.bubbles) {
+      motion_.set_area_rate(b, von_neumann_rate(foam_, b, options_.permeability));
+    }
+  }
+  if (const Step* response = newton_.patch_response(foam_, motion_.area_rates())) {
+    motion_.take(region, *response);
+  }
+  if (foam_.boundary == Boundary::Fixed) {
+    expect_all();
+    return;
+  }
+  std::ranges::for_each(region.bubbles, [this](Index b) { expect_bubble(b); });
+  std::ranges::for_each(region.films, [this](Index f) { expect_film(f); });
 }
 
 } // namespace foam

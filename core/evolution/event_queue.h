@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "mesh/foam.h"
+
+namespace foam {
+
+/// What is expected of one film or bubble.
+struct Event {
+  enum class Kind : std::uint8_t {
+    Collapse, ///< a bubble reaches the area at which it gives way
+    Close,    ///< a film reaches the T1 length
+    Strain    ///< a film has changed so much that its motion does not carry on
+  };
+
+  double time = 0; ///< s from the beginning of the frame
+  Kind kind = Kind::Collapse;
+  Index element = 0; ///< bubble or film
+};
+
+/// The events that lie ahead, the next one first; of two at one instant the one of lower kind, then
+/// of lower index. A film and a bubble has one event at most: a new one replaces the old.
+class EventQueue {
+public:
+  /// Expects nothing.
+  void clear(const Foam& foam);
+  void expect(const Event& event);
+  /// What was expected of the bubble, or of the film, will not be.
+  void cancel_bubble(Index bubble) { ++bubble_version_[Foam::size(bubble)]; }
+  void cancel_film(Index film) { ++film_version_[Foam::size(film)]; }
+  /// Takes out the next event, if there is one.
+  std::optional<Event> next();
+
+private:
+  struct Entry {
+    Event event;
+    std::uint32_t version;
+    bool operator<(const Entry& other) const; ///< comes later
+  };
+  std::uint32_t& version(const Event& event);
+
+  std::priority_queue<Entry> entries_;
+  std::vector<std::uint32_t> bubble_version_, film_version_;
+};
+
+} // namespace foam

@@ -10,6 +10,7 @@
 // Plateau's balance of tensions, that of ∂φ/∂p over a bubble's films its area.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,6 +27,28 @@ struct FilmLagrangian {
   std::array<std::array<double, 7>, 7> hessian{}; ///< symmetric, both triangles filled
 };
 
+/// φ's derivatives by (a_x, a_y, b_x, b_y, α).
+struct FilmForces {
+  std::array<double, 4> ends{};
+  double angle = 0;
+  double along = 0; ///< ∂φ/∂d
+};
+
+/// \param chord from a to b, cm; \param unit the same, of length 1; \param d its length, cm; \param
+/// q p_left − p_right, N/cm; \param tension T = 2γ, N/cm.
+inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d, const ArcShape& shape, double q,
+                              double tension) {
+  FilmForces forces;
+  forces.along = tension * shape.f - 2 * q * d * shape.g;
+  forces.angle = tension * d * shape.f1 - q * d * d * shape.g1;
+  const Vec2 along = forces.along * unit;
+  // ∂(½ a×b) is ½(D_y, −D_x) at either end, once summed over a bubble's closed loop.
+  const Vec2 polygon{0.5 * chord.y, -0.5 * chord.x};
+  forces.ends = {-along.x - q * polygon.x, -along.y - q * polygon.y, along.x - q * polygon.x,
+                 along.y - q * polygon.y};
+  return forces;
+}
+
 /// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm;
 /// \param tension T = 2γ, N/cm.
 inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double tension) {
@@ -33,27 +56,19 @@ inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double
   const Vec2 u = (1 / d) * chord;
   const ArcShape s = arc_shape(alpha);
 
-  const double phi_d = tension * s.f - 2 * q * d * s.g;
-  const double phi_alpha = tension * d * s.f1 - q * d * d * s.g1;
+  const FilmForces forces = film_forces(chord, u, d, s, q, tension);
   const double phi_dd = -2 * q * s.g;
   const double phi_d_alpha = tension * s.f1 - 2 * q * d * s.g1;
   const double phi_alpha_alpha = tension * d * s.f2 - q * d * d * s.g2;
   const double area_d = 2 * d * s.g; // of the segment
   const double area_alpha = d * d * s.g1;
-  // ∂(½ a×b) is ½(D_y, −D_x) at either end, once summed over a bubble's closed loop.
   const Vec2 polygon{0.5 * chord.y, -0.5 * chord.x};
 
   FilmLagrangian r;
-  const Vec2 along = phi_d * u;
-  r.gradient = {-along.x - q * polygon.x,
-                -along.y - q * polygon.y,
-                along.x - q * polygon.x,
-                along.y - q * polygon.y,
-                0,
-                0,
-                phi_alpha};
+  std::ranges::copy(forces.ends, r.gradient.begin());
+  r.gradient[FilmLagrangian::kAngle] = forces.angle;
 
-  const double across = phi_d / d;
+  const double across = forces.along / d;
   const double xx = phi_dd * u.x * u.x + across * u.y * u.y;
   const double yy = phi_dd * u.y * u.y + across * u.x * u.x;
   const double xy = (phi_dd - across) * u.x * u.y;

@@ -161,19 +161,20 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     const Vec2 chord = foam.chord(2 * f);
     const double alpha = foam.half_angle(2 * f);
     const double q = pressure_jump(foam, f);
-    const FilmLagrangian film = film_lagrangian(chord, alpha, q, tension);
+    const double d = norm(chord);
+    const FilmForces forces = film_forces(chord, (1 / d) * chord, d, arc_shape(alpha), q, tension);
     for (std::size_t k = 0; k < 4; ++k) {
       if (films_[i].unknown[k] != kNone) {
-        gradient_[Foam::size(films_[i].unknown[k])] += film.gradient[k];
+        gradient_[Foam::size(films_[i].unknown[k])] += forces.ends[k];
       }
     }
     const Index kept = films_[i].unknown[FilmLagrangian::kAngle];
     if (kept != kNone) {
-      gradient_[Foam::size(kept)] = film.gradient[FilmLagrangian::kAngle];
+      gradient_[Foam::size(kept)] = forces.angle;
     }
-    angle_gradient_[i] = film.gradient[FilmLagrangian::kAngle];
+    angle_gradient_[i] = forces.angle;
     residual.curvature =
-        std::max(residual.curvature, std::abs(2 * std::sin(alpha) - q * norm(chord) / tension));
+        std::max(residual.curvature, std::abs(2 * std::sin(alpha) - q * d / tension));
   }
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
     residual.force =
@@ -237,7 +238,7 @@ bool LagrangianSystem::assemble(const Foam& foam, double shift) {
   return safe;
 }
 
-bool LagrangianSystem::factorise(const Foam& foam, bool stationary) {
+bool LagrangianSystem::factorise(const Foam& foam, Index surplus) {
   factorised_ = false;
   const auto constraints = static_cast<Index>(region_.bubbles.size());
   double shift = 0;
@@ -252,7 +253,7 @@ bool LagrangianSystem::factorise(const Foam& foam, bool stationary) {
       analysed_ = true;
     }
     const Index negative = solver_->factorise(values_);
-    if (negative == constraints || (stationary && negative >= 0)) {
+    if (negative >= constraints && negative - constraints <= surplus) {
       factorised_ = true;
       shift_ = shift;
       last_shift_ = shift;

@@ -50,10 +50,11 @@ public:
   Residual evaluate(const Foam& foam);
 
   /// Assembles and factorises the matrix, shifted until its inertia is that of a minimum under the
-  /// area constraints: as many negative pivots as constraints. \param stationary take it as it is:
-  /// the foam is so close to a stationary point, be it a saddle, that Newton's own step leads
-  /// there. \returns false if no shift does it.
-  bool factorise(const Foam& foam, bool stationary);
+  /// area constraints: as many negative pivots as constraints. \param surplus so many more are
+  /// taken as well: where the foam is so close to a stationary point, be it a saddle, that Newton's
+  /// own step leads there, or where some are known to mean nothing. \returns false if no shift does
+  /// it.
+  bool factorise(const Foam& foam, Index surplus);
   bool factorised() const { return factorised_; }
   /// Whether the last factorisation needed a shift.
   bool shifted() const { return shift_ > 0; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/globalisation.h"
@@ -17,11 +18,23 @@ constexpr double kHemmedIn = 0.25;        // part of its step that can be taken 
 constexpr double kContraction = 0.25;     // what a reused factorisation must achieve
 constexpr double kReuseBelow = 0.1;       // residual from which on reuse is tried
 constexpr double kStationaryBelow = 1e-6; // residual from which on any equilibrium will do
-constexpr double kSmallestStep = 1e-4;    // of a line search
+constexpr double kFreeToTurnBelow =
+    0.01; // residual from which on a free foam's rotation is told apart
+constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
+constexpr double kSmallestStep = 1e-4; // of a line search
 constexpr int kPatchRings = 3;
 constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
 constexpr int kPatience = 24;            // iterations without progress close to the solution
 constexpr int kLargestSwapCount = 4;     // of one film in one call
+
+/// Negative pivots beyond the constraints' that need no shift. One is a free foam's rotation: it
+/// costs nothing in equilibrium, near it a little more or less, and is taken out of every step.
+Index surplus(const Foam& foam, const Residual& residual) {
+  if (residual.largest() < kStationaryBelow) {
+    return kAnyEquilibrium;
+  }
+  return foam.boundary == Boundary::Free && residual.largest() < kFreeToTurnBelow ? 1 : 0;
+}
 
 } // namespace
 
@@ -43,7 +56,7 @@ EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
 /// Whether the foam is so far from equilibrium that some film is in the way of Newton's first step.
 bool NewtonEquilibrator::hemmed_in(const Foam& foam) {
   whole_.set_up(foam, whole_foam(foam));
-  return whole_.evaluate(foam).largest() > kFar && whole_.factorise(foam, false) &&
+  return whole_.evaluate(foam).largest() > kFar && whole_.factorise(foam, 0) &&
          longest_step(foam, whole_, whole_.newton_step(foam)) < kHemmedIn;
 }
 
@@ -100,7 +113,7 @@ const Step* NewtonEquilibrator::patch_response(const Foam& foam,
 const Step* NewtonEquilibrator::response(LagrangianSystem& system, const Foam& foam,
                                          const std::vector<double>& area_rate) {
   const Step* step = system.response(foam, area_rate, true);
-  if (step == nullptr && system.factorise(foam, true)) {
+  if (step == nullptr && system.factorise(foam, kAnyEquilibrium)) {
     step = system.response(foam, area_rate, false);
   }
   return step;
@@ -141,7 +154,7 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
     if (reuse_factorisation(foam, system, tolerance, residual)) {
       continue;
     }
-    if (!system.factorise(foam, residual.largest() < kStationaryBelow)) {
+    if (!system.factorise(foam, surplus(foam, residual))) {
       return {false, residual};
     }
     const Step& step = system.newton_step(foam);

@@ -17,6 +17,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include "Columns.h"
 #include "mesh/film_set.h"
 #include "sampling/arcs.h"
 #include "statistics/statistics.h"
@@ -212,23 +213,7 @@ void write_bubbles(const Foam& foam, double chord_error, vtkPolyData* bubbles) {
   bubbles->SetPoints(points);
   bubbles->SetPolys(polygons);
 
-  auto* cells = bubbles->GetCellData();
-  auto* id = add_array<vtkIdTypeArray>(cells, "BubbleId", order.size());
-  auto* area = add_array<vtkDoubleArray>(cells, "Area", order.size());
-  auto* target_area = add_array<vtkDoubleArray>(cells, "TargetArea", order.size());
-  auto* pressure = add_array<vtkDoubleArray>(cells, "Pressure", order.size());
-  auto* sides = add_array<vtkIntArray>(cells, "Sides", order.size());
-  auto* perimeter = add_array<vtkDoubleArray>(cells, "Perimeter", order.size());
-  auto* on_boundary = add_array<vtkIntArray>(cells, "OnBoundary", order.size());
-  for (const auto& bubble : statistics(foam, true).each) {
-    id->InsertNextValue(bubble.id);
-    area->InsertNextValue(bubble.area);
-    target_area->InsertNextValue(bubble.target_area);
-    pressure->InsertNextValue(bubble.pressure);
-    sides->InsertNextValue(bubble.sides);
-    perimeter->InsertNextValue(bubble.perimeter);
-    on_boundary->InsertNextValue(bubble.on_boundary ? 1 : 0);
-  }
+  add_bubble_columns(bubbles->GetCellData(), statistics(foam, true).each);
   add_value<vtkDoubleArray>(bubbles->GetFieldData(), "TimeValue", foam.time);
 }
 

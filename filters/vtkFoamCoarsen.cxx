@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <vector>
 
 #include "vtkDataObject.h"
@@ -96,15 +95,9 @@ int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation*, vtkInformationVector** 
   return 1;
 }
 
-int vtkFoamCoarsen::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                vtkInformationVector* outputs) {
-  if (!foam::filters::is_first_piece(request, outputs)) {
-    this->ClearOutputs(outputs);
-    return 1;
-  }
-  this->SetAbortExecute(0); // what ended an earlier request
+void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** inputs,
+                              vtkInformationVector* outputs) {
   try {
-    this->CheckOutputProperties();
     this->PrepareSimulation(inputs);
     auto& timeline = this->Run->Timeline;
     const auto times =
@@ -117,11 +110,10 @@ int vtkFoamCoarsen::RequestData(vtkInformation* request, vtkInformationVector** 
           ->GetInformation()
           ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.foam().time);
     }
-  } catch (const std::exception& error) {
+  } catch (...) {
     this->Run.reset();
-    return this->Fail(error.what(), outputs);
+    throw;
   }
-  return 1;
 }
 
 void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {

@@ -144,8 +144,8 @@ protected:
                          vtkInformationVector* outputs) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
+  void MakeFoam(vtkInformation* request, vtkInformationVector** inputs,
+                vtkInformationVector* outputs) override;
 
 private:
   vtkFoamCoarsen(const vtkFoamCoarsen&) = delete;

@@ -2,6 +2,7 @@
 #include "vtkFoamEquilibratingAlgorithm.h"
 
 #include <cmath>
+#include <exception>
 
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
@@ -9,6 +10,7 @@
 
 #include "FoamWriting.h"
 #include "Message.h"
+#include "PipelineRequest.h"
 #include "equilibrium/equilibrator.h"
 
 namespace {
@@ -20,6 +22,24 @@ constexpr double POLL_INTERVAL = 0.1;
 
 vtkFoamEquilibratingAlgorithm::vtkFoamEquilibratingAlgorithm() {
   this->SetNumberOfOutputPorts(2);
+}
+
+int vtkFoamEquilibratingAlgorithm::RequestData(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs) {
+  if (!foam::filters::is_first_piece(request, outputs)) {
+    this->ClearOutputs(outputs);
+    return 1;
+  }
+  this->SetAbortExecute(0); // what ended an earlier request
+  try {
+    this->CheckOutputProperties();
+    this->MakeFoam(request, inputs, outputs);
+  } catch (const std::exception& error) {
+    this->ClearOutputs(outputs);
+    vtkErrorMacro(<< error.what());
+  }
+  return 1;
 }
 
 foam::EquilibratorOptions vtkFoamEquilibratingAlgorithm::GetEquilibratorOptions() const {
@@ -58,12 +78,6 @@ void vtkFoamEquilibratingAlgorithm::ClearOutputs(vtkInformationVector* outputs) 
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
     vtkPolyData::GetData(outputs, port)->Initialize();
   }
-}
-
-int vtkFoamEquilibratingAlgorithm::Fail(const char* message, vtkInformationVector* outputs) {
-  this->ClearOutputs(outputs);
-  vtkErrorMacro(<< message);
-  return 1;
 }
 
 bool vtkFoamEquilibratingAlgorithm::PollAbort(double progress) {

@@ -174,24 +174,25 @@ protected:
   vtkFoamEquilibratingAlgorithm();
   ~vtkFoamEquilibratingAlgorithm() override = default;
 
+  /// Makes the foam for the first piece and leaves the others empty. An error is told and leaves
+  /// the outputs empty.
+  ///
+  /// \returns 1, also after an error: 0 would have the executive add an error of its own, and ask
+  /// again at every render.
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+  /// Makes the foam that is asked for and writes it to the outputs.
+  /// \throws std::exception with what is wrong with the input or the properties.
+  virtual void MakeFoam(vtkInformation* request, vtkInformationVector** inputs,
+                        vtkInformationVector* outputs) = 0;
+
 #ifndef __VTK_WRAP__
   foam::EquilibratorOptions GetEquilibratorOptions() const;
-
-  /// \throws FoamError if the outputs cannot be written as asked.
-  void CheckOutputProperties() const;
 
   /// Writes a foam to the two outputs.
   void WriteOutputs(const foam::Foam& foam, vtkInformationVector* outputs);
 #endif
-
-  /// Empties the outputs.
-  void ClearOutputs(vtkInformationVector* outputs);
-
-  /// Reports an error and leaves the outputs empty.
-  ///
-  /// \returns 1: the error has been told and an empty output is the answer. 0 would have the
-  /// executive add an error of its own, and ask again at every render.
-  int Fail(const char* message, vtkInformationVector* outputs);
 
   /// To be asked often during long work: reports progress now and then, which gives observers the
   /// chance to abort. \returns whether to stop.
@@ -200,6 +201,9 @@ protected:
 private:
   vtkFoamEquilibratingAlgorithm(const vtkFoamEquilibratingAlgorithm&) = delete;
   void operator=(const vtkFoamEquilibratingAlgorithm&) = delete;
+
+  void CheckOutputProperties() const;
+  void ClearOutputs(vtkInformationVector* outputs);
 
   double ChordError = 0;
   int Equilibrator = Newton;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <optional>
 #include <string>
@@ -95,6 +94,11 @@ std::optional<foam::Box> ReadBox(const double bounds[4]) {
   return foam::Box{bounds[0], bounds[1], bounds[2], bounds[3]};
 }
 
+/// How far a foam is from equilibrium: angles (rad) and areas (relative).
+double Residual(const foam::Foam& foam) {
+  return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
+}
+
 } // namespace
 
 int vtkFoamFromPoints::FillInputPortInformation(int, vtkInformation* info) {
@@ -110,50 +114,51 @@ int vtkFoamFromPoints::RequestUpdateExtent(vtkInformation* request, vtkInformati
   return 1;
 }
 
-int vtkFoamFromPoints::RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                                   vtkInformationVector* outputs) {
-  if (!foam::filters::is_first_piece(request, outputs)) {
-    this->ClearOutputs(outputs);
-    return 1;
+void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
+                                 vtkInformationVector* outputs) {
+  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  foam::BuildOptions options;
+  options.boundary = static_cast<foam::Boundary>(this->Boundary);
+  options.target_areas = static_cast<foam::TargetAreas>(this->TargetAreas);
+  options.surface_tension = this->SurfaceTension;
+  options.fin_size = this->FinSize;
+  if (options.boundary == foam::Boundary::Periodic) {
+    options.periodic_box = ReadBox(this->PeriodicBounds);
   }
-  this->SetAbortExecute(0); // what ended an earlier request
+  if (options.target_areas == foam::TargetAreas::Array) {
+    options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
+  }
+  foam::Foam foam = foam::build_from_points(ReadPoints(input), options);
+  foam.report.max_angle_error = foam::max_angle_error(foam);
+  foam.report.max_area_error = foam::max_area_error(foam);
+  foam.report.residual = Residual(foam);
+  this->BringToEquilibrium(foam);
+  this->WriteOutputs(foam, outputs);
+}
+
+void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
+  const auto equilibrator = foam::make_equilibrator(this->GetEquilibratorOptions());
+  if (!this->Equilibrate) {
+    return;
+  }
+  // The part of the way that the residual has fallen, on a logarithmic scale.
+  const double first = Residual(foam);
+  const double way = std::log(first / this->GetTolerance());
+  double progress = 0;
+  const auto aborted = [&] {
+    progress = std::max(progress, std::min(1.0, std::log(first / Residual(foam)) / way));
+    return this->PollAbort(progress);
+  };
   try {
-    this->CheckOutputProperties();
-    vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
-    foam::BuildOptions options;
-    options.boundary = static_cast<foam::Boundary>(this->Boundary);
-    options.target_areas = static_cast<foam::TargetAreas>(this->TargetAreas);
-    options.surface_tension = this->SurfaceTension;
-    options.fin_size = this->FinSize;
-    if (options.boundary == foam::Boundary::Periodic) {
-      options.periodic_box = ReadBox(this->PeriodicBounds);
+    equilibrator->equilibrate(foam, T1_LENGTH * foam.mean_spacing(), aborted);
+    if (!foam.report.converged) {
+      vtkWarningMacro("The foam did not reach equilibrium: residual "
+                      << foam.report.residual << " after " << foam.report.iterations
+                      << " iterations.");
     }
-    if (options.target_areas == foam::TargetAreas::Array) {
-      options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
-    }
-    const auto equilibrator = foam::make_equilibrator(this->GetEquilibratorOptions());
-    foam::Foam foam = foam::build_from_points(ReadPoints(input), options);
-    foam.report.max_angle_error = foam::max_angle_error(foam);
-    foam.report.max_area_error = foam::max_area_error(foam);
-    foam.report.residual = std::max(foam.report.max_angle_error, foam.report.max_area_error);
-    if (this->Equilibrate) {
-      try {
-        equilibrator->equilibrate(foam, T1_LENGTH * foam.mean_spacing(),
-                                  [this] { return this->PollAbort(0.5); });
-        if (!foam.report.converged) {
-          vtkWarningMacro("The foam did not reach equilibrium: residual "
-                          << foam.report.residual << " after " << foam.report.iterations
-                          << " iterations.");
-        }
-      } catch (const foam::Aborted&) {
-        // The initial mesh, which the abort leaves as it was, is shown as not converged.
-      }
-    }
-    this->WriteOutputs(foam, outputs);
-  } catch (const std::exception& error) {
-    return this->Fail(error.what(), outputs);
+  } catch (const foam::Aborted&) {
+    // What there is of the foam is shown, as not converged.
   }
-  return 1;
 }
 
 void vtkFoamFromPoints::PrintSelf(ostream& os, vtkIndent indent) {

@@ -109,12 +109,16 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-                  vtkInformationVector* outputs) override;
+  void MakeFoam(vtkInformation* request, vtkInformationVector** inputs,
+                vtkInformationVector* outputs) override;
 
 private:
   vtkFoamFromPoints(const vtkFoamFromPoints&) = delete;
   void operator=(const vtkFoamFromPoints&) = delete;
+
+#ifndef __VTK_WRAP__
+  void BringToEquilibrium(foam::Foam& foam);
+#endif
 
   int Boundary = Free;
   double PeriodicBounds[4] = {0, 0, 0, 0};

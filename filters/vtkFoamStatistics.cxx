@@ -4,38 +4,29 @@
 #include <array>
 #include <exception>
 
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Columns.h"
 #include "FilmReading.h"
 #include "PipelineRequest.h"
-#include "statistics/statistics.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
 
 namespace {
 
-/// Adds a column with the value of each element.
-template <class Array, class Elements, class Value>
-void AddColumn(vtkTable* table, const char* name, const Elements& elements, Value value) {
-  vtkNew<Array> column;
-  column->SetName(name);
-  for (const auto& element : elements) {
-    column->InsertNextValue(static_cast<typename Array::ValueType>(value(element)));
-  }
-  table->AddColumn(column);
-}
+using foam::filters::add_column;
 
 /// Adds a column of one row.
 template <class Array, class Value> void AddCell(vtkTable* table, const char* name, Value value) {
-  AddColumn<Array>(table, name, std::array{value}, [](Value v) { return v; });
+  add_column<Array>(table->GetRowData(), name, std::array{value}, [](Value v) { return v; });
 }
 
 void WriteSummary(const foam::Foam& foam, const foam::FoamStatistics& figures, vtkTable* table) {
@@ -58,29 +49,18 @@ void WriteSummary(const foam::Foam& foam, const foam::FoamStatistics& figures, v
 void WriteBySides(const foam::FoamStatistics& figures, vtkTable* table) {
   using Row = foam::SideStatistics;
   const auto& rows = figures.by_sides;
-  AddColumn<vtkIntArray>(table, "Sides", rows, [](const Row& r) { return r.sides; });
-  AddColumn<vtkIntArray>(table, "Count", rows, [](const Row& r) { return r.count; });
-  AddColumn<vtkDoubleArray>(table, "Fraction", rows, [](const Row& r) { return r.fraction; });
-  AddColumn<vtkDoubleArray>(table, "MeanNeighbourSides", rows,
-                            [](const Row& r) { return r.mean_neighbour_sides; });
-  AddColumn<vtkDoubleArray>(table, "AboavProduct", rows,
-                            [](const Row& r) { return r.sides * r.mean_neighbour_sides; });
-  AddColumn<vtkDoubleArray>(table, "AboavIdeal", rows,
-                            [](const Row& r) { return 5 * r.sides + 7.4; });
-  AddColumn<vtkDoubleArray>(table, "MeanArea", rows,
-                            [](const Row& r) { return r.mean_relative_area; });
-}
-
-void WriteBubbles(const foam::FoamStatistics& figures, vtkTable* table) {
-  using Row = foam::BubbleStatistics;
-  const auto& rows = figures.each;
-  AddColumn<vtkIdTypeArray>(table, "BubbleId", rows, [](const Row& r) { return r.id; });
-  AddColumn<vtkDoubleArray>(table, "Area", rows, [](const Row& r) { return r.area; });
-  AddColumn<vtkDoubleArray>(table, "TargetArea", rows, [](const Row& r) { return r.target_area; });
-  AddColumn<vtkDoubleArray>(table, "Pressure", rows, [](const Row& r) { return r.pressure; });
-  AddColumn<vtkIntArray>(table, "Sides", rows, [](const Row& r) { return r.sides; });
-  AddColumn<vtkDoubleArray>(table, "Perimeter", rows, [](const Row& r) { return r.perimeter; });
-  AddColumn<vtkIntArray>(table, "OnBoundary", rows, [](const Row& r) { return r.on_boundary; });
+  vtkFieldData* data = table->GetRowData();
+  add_column<vtkIntArray>(data, "Sides", rows, [](const Row& r) { return r.sides; });
+  add_column<vtkIntArray>(data, "Count", rows, [](const Row& r) { return r.count; });
+  add_column<vtkDoubleArray>(data, "Fraction", rows, [](const Row& r) { return r.fraction; });
+  add_column<vtkDoubleArray>(data, "MeanNeighbourSides", rows,
+                             [](const Row& r) { return r.mean_neighbour_sides; });
+  add_column<vtkDoubleArray>(data, "AboavProduct", rows,
+                             [](const Row& r) { return r.sides * r.mean_neighbour_sides; });
+  add_column<vtkDoubleArray>(data, "AboavIdeal", rows,
+                             [](const Row& r) { return 5 * r.sides + 7.4; });
+  add_column<vtkDoubleArray>(data, "MeanArea", rows,
+                             [](const Row& r) { return r.mean_relative_area; });
 }
 
 } // namespace
@@ -108,7 +88,7 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
     const auto figures = foam::statistics(foam, this->IncludeBoundary);
     WriteSummary(foam, figures, vtkTable::GetData(outputs, 0));
     WriteBySides(figures, vtkTable::GetData(outputs, 1));
-    WriteBubbles(figures, vtkTable::GetData(outputs, 2));
+    foam::filters::add_bubble_columns(vtkTable::GetData(outputs, 2)->GetRowData(), figures.each);
   } catch (const std::exception& error) {
     vtkErrorMacro(<< error.what());
   }

@@ -170,6 +170,15 @@ class Progress(unittest.TestCase):
         self.assertEqual(differences(go_to(fresh, frame)[0], films), [])
         self.assertEqual(differences(go_to(coarsen, frame + 3)[0], go_to(fresh, frame + 3)[0]), [])
 
+    def test_progress_while_building(self):
+        foam = foam_of_points(3000)
+        seen = []
+        foam.AddObserver("ProgressEvent", lambda *_: seen.append(foam.GetProgress()))
+        foam.Update()
+        self.assertEqual(seen, sorted(seen))
+        self.assertEqual((seen[0], seen[-1]), (0, 1))
+        self.assertGreater(len(set(seen)), 3, seen)
+
     def test_abort_while_building(self):
         foam = foam_of_points(3000)
         foam.AddObserver("ProgressEvent", lambda *_: foam.SetAbortExecute(foam.GetProgress() > 0))

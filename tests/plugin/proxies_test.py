@@ -63,6 +63,7 @@ class Proxies(unittest.TestCase):
         statistics = FoamStatistics(Input=coarsen)
         cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
                        "FoamStatistics": statistics}
+        cls.writer = simple.CreateWriter("series.pvd", coarsen)
 
     def test_defaults(self):
         for name, defaults in PROXIES.items():
@@ -88,6 +89,10 @@ class Proxies(unittest.TestCase):
                 found = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
                 self.assertEqual(found, entries, (name, key))
 
+    def test_series_writer(self):
+        self.assertEqual({name: self.writer.GetPropertyValue(name) for name in self.writer.ListProperties()
+                          if name not in ("Input", "FileName")}, {"WriteTimeSteps": 1, "Append": 0})
+
     def test_ports(self):
         for name, ports in PORTS.items():
             proxy = self.proxies[name].SMProxy
@@ -96,7 +101,7 @@ class Proxies(unittest.TestCase):
                 self.assertEqual(found, ports, name)
 
     def test_documentation(self):
-        for name, proxy in self.proxies.items():
+        for name, proxy in {**self.proxies, "FoamSeriesWriter": self.writer}.items():
             text = proxy.SMProxy.GetDocumentation()
             for words in (text.GetDescription(), text.GetShortHelp(), text.GetLongHelp()):
                 self.assertGreater(len(words or ""), 15, name)

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class vtkFoamSeriesWriter
+ * @brief Writes films or bubbles as a time series, frame by frame as they are computed.
+ *
+ * NAME.pvd lists the times (s), to their last digit, and the files, NAME/NAME_0000.vtp and so on.
+ * A file is written under another name and gets its own once all of it lies on the disk, and only
+ * then is it listed: whatever happens, what has its name is whole. The series can be read while it
+ * grows. After an error, or when its input stops, a series keeps the frames that it has, and can be
+ * continued from the last of them.
+ *
+ * Of several processes the one with the first piece writes.
+ *
+ * @sa vtkFoamCoarsen vtkXMLPolyDataWriter
+ */
+#ifndef vtkFoamSeriesWriter_h
+#define vtkFoamSeriesWriter_h
+
+#include <memory> // for the series
+#include <string> // for its name
+
+#include "vtkFoamFiltersModule.h" // for the export macro
+#include "vtkWriter.h"
+
+class VTKFOAMFILTERS_EXPORT vtkFoamSeriesWriter : public vtkWriter {
+public:
+  static vtkFoamSeriesWriter* New();
+  vtkTypeMacro(vtkFoamSeriesWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The series to write, NAME.pvd.
+   */
+  vtkSetStdStringFromCharMacro(FileName);
+  vtkGetCharFromStdStringMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to write all time steps of the input, one after the other, or the present one alone.
+   * Default on.
+   */
+  vtkSetMacro(WriteTimeSteps, bool);
+  vtkGetMacro(WriteTimeSteps, bool);
+  vtkBooleanMacro(WriteTimeSteps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to continue the series that is there: its frames before the first new time are kept.
+   * Off, the default, it is replaced.
+   */
+  vtkSetMacro(Append, bool);
+  vtkGetMacro(Append, bool);
+  vtkBooleanMacro(Append, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The piece of this process, of NumberOfPieces. Default 0 of 1.
+   */
+  vtkSetMacro(Piece, int);
+  vtkGetMacro(Piece, int);
+  vtkSetMacro(NumberOfPieces, int);
+  vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
+  /**
+   * Writes. \returns 1, or 0 after an error, with GetErrorCode() its cause: an errno or one of
+   * vtkErrorCode.
+   */
+  int Write() override;
+
+protected:
+  vtkFoamSeriesWriter();
+  ~vtkFoamSeriesWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+  void WriteData() override;
+
+private:
+  vtkFoamSeriesWriter(const vtkFoamSeriesWriter&) = delete;
+  void operator=(const vtkFoamSeriesWriter&) = delete;
+
+  struct Loop;
+
+  std::string FileName;
+  bool WriteTimeSteps = true;
+  bool Append = false;
+  int Piece = 0;
+  int NumberOfPieces = 1;
+  std::unique_ptr<Loop> Present;
+};
+
+#endif

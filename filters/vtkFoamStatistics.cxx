@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFoamStatistics.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
+#include <numeric>
+#include <vector>
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -16,6 +19,7 @@
 
 #include "Columns.h"
 #include "FilmReading.h"
+#include "MeasuredSides.h"
 #include "PipelineRequest.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
@@ -63,10 +67,36 @@ void WriteBySides(const foam::FoamStatistics& figures, vtkTable* table) {
                              [](const Row& r) { return r.mean_relative_area; });
 }
 
+/// A row for every number of sides from the fewest to the most that occur here or were measured.
+void WriteDistribution(const foam::FoamStatistics& figures, vtkTable* table) {
+  using foam::filters::kFewestMeasuredSides, foam::filters::kMeasuredSides;
+  const auto& by_sides = figures.by_sides;
+  int first = kFewestMeasuredSides;
+  int last = first + static_cast<int>(kMeasuredSides.size()) - 1;
+  if (!by_sides.empty()) {
+    first = std::min<int>(first, by_sides.front().sides);
+    last = std::max<int>(last, by_sides.back().sides);
+  }
+  std::vector<int> rows(static_cast<std::size_t>(last - first + 1));
+  std::iota(rows.begin(), rows.end(), first);
+
+  vtkFieldData* data = table->GetRowData();
+  add_column<vtkIntArray>(data, "Sides", rows, [](int n) { return n; });
+  add_column<vtkDoubleArray>(data, "Fraction", rows, [&](int n) {
+    const auto found = std::find_if(by_sides.begin(), by_sides.end(),
+                                    [n](const auto& row) { return row.sides == n; });
+    return found == by_sides.end() ? 0.0 : found->fraction;
+  });
+  add_column<vtkDoubleArray>(data, "MeasuredFraction", rows, [](int n) {
+    const auto i = static_cast<std::size_t>(n - kFewestMeasuredSides);
+    return i < kMeasuredSides.size() ? kMeasuredSides[i] : 0.0;
+  });
+}
+
 } // namespace
 
 vtkFoamStatistics::vtkFoamStatistics() {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 int vtkFoamStatistics::FillInputPortInformation(int, vtkInformation* info) {
@@ -89,6 +119,7 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
     WriteSummary(foam, figures, vtkTable::GetData(outputs, 0));
     WriteBySides(figures, vtkTable::GetData(outputs, 1));
     foam::filters::add_bubble_columns(vtkTable::GetData(outputs, 2)->GetRowData(), figures.each);
+    WriteDistribution(figures, vtkTable::GetData(outputs, 3));
   } catch (const std::exception& error) {
     vtkErrorMacro(<< error.what());
   }

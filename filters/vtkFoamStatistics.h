@@ -3,7 +3,7 @@
  * @class vtkFoamStatistics
  * @brief A foam in figures: topology, areas, energy.
  *
- * Input: films, of vtkFoamFromPoints, of vtkFoamCoarsen, or read back from a .vtp. Three tables:
+ * Input: films, of vtkFoamFromPoints, of vtkFoamCoarsen, or read back from a .vtp. Four tables:
  *
  * Port 0, Summary, one row: Time (s), Bubbles, MeanSides, Mu2 (second moment of the number of sides
  * about six), MeanArea (cm²), AreaSecondMoment ⟨A²⟩/⟨A⟩², Energy (N), AboavA (a of Aboav–Weaire's
@@ -14,6 +14,10 @@
  *
  * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm), Sides,
  * Perimeter (cm), OnBoundary.
+ *
+ * Port 3, Distribution, p(n) beside a real foam's in the scaling state, one row per n, also where no
+ * bubble has n sides: Sides, Fraction, MeasuredFraction (0 where none was measured). The measured
+ * foam is that of A. E. Roth, C. D. Jones, D. J. Durian, Phys. Rev. E 87, 042304 (2013).
  *
  * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
  * of Copenhagen, 2010, section 2.6.

@@ -2,6 +2,7 @@
 """Names, defaults, ports and arrays: the public contract, written out."""
 
 import unittest
+from pathlib import Path
 
 import numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
@@ -10,6 +11,7 @@ from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoint
                                  vtkFoamStatistics)
 from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_of, single, times)
 
+SAMPLES = Path(__file__).resolve().parents[2] / "sample-data"
 EQUILIBRATOR = {
     "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "Sweep": 0,
     "RootSearch": 0, "EnergyTarget": 0, "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
@@ -59,7 +61,7 @@ class Properties(unittest.TestCase):
 
     def test_ports(self):
         for filter_class, ports in [(vtkFoamPoints, 1), (vtkFoamFromPoints, 2),
-                                    (vtkFoamCoarsen, 2), (vtkFoamStatistics, 3)]:
+                                    (vtkFoamCoarsen, 2), (vtkFoamStatistics, 4)]:
             self.assertEqual(filter_class().GetNumberOfOutputPorts(), ports)
 
     def test_printing(self):
@@ -286,8 +288,9 @@ class Statistics(unittest.TestCase):
         self.statistics.Update()
 
     def test_columns(self):
-        tables = [self.statistics.GetOutput(i) for i in range(3)]
-        self.assertEqual([columns(t) for t in tables], [SUMMARY, BY_SIDES, BUBBLE_CELLS])
+        tables = [self.statistics.GetOutput(i) for i in range(4)]
+        self.assertEqual([columns(t) for t in tables],
+                         [SUMMARY, BY_SIDES, BUBBLE_CELLS, ["Sides", "Fraction", "MeasuredFraction"]])
         for table in tables:
             self.assertEqual(table.GetFieldData().GetNumberOfArrays(), 0)
 
@@ -306,6 +309,20 @@ class Statistics(unittest.TestCase):
         for name in ("Energy", "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError",
                      "MaxAreaError"):
             self.assertEqual(value[name], single(self.films, name), name)
+
+    def test_distribution(self):
+        """Beside p(n) of this foam that of the measured one, also for n that do not occur."""
+        measured = numpy.genfromtxt(SAMPLES / "measured-sides.csv", delimiter=",", names=True)
+        row_data = self.statistics.GetOutput(3).GetRowData()
+        sides, fraction, beside = (column(row_data, name)
+                                   for name in ("Sides", "Fraction", "MeasuredFraction"))
+        self.assertEqual(list(sides), list(range(sides[0], sides[-1] + 1)))
+        bubbles = column(self.bubbles.GetCellData(), "Sides")
+        for n, p in zip(sides, fraction):
+            self.assertAlmostEqual(p, (bubbles == n).mean(), 12)
+        self.assertAlmostEqual(fraction.sum(), 1, 12)
+        self.assertEqual([p for p in beside if p > 0], list(measured["fraction"]))
+        self.assertEqual([n for n, p in zip(sides, beside) if p > 0], list(measured["sides"]))
 
     def test_by_sides(self):
         table = self.statistics.GetOutput(1)

@@ -48,7 +48,8 @@ CHOICES = {
     "FoamStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
-         "FoamCoarsen": ["Films", "Bubbles"], "FoamStatistics": ["Summary", "BySides", "Bubbles"]}
+         "FoamCoarsen": ["Films", "Bubbles"],
+         "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"]}
 JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
                  "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}

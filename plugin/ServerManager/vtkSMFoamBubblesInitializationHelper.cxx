@@ -2,12 +2,14 @@
 #include "vtkSMFoamBubblesInitializationHelper.h"
 
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxySelectionModel.h"
+#include "vtkSMRepresentationProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
 
@@ -26,11 +28,14 @@ vtkSMProxy* InputOf(vtkSMProxy* proxy) {
 }
 
 void ColourBySides(vtkSMProxy* bubbles) {
-  vtkSMPVRepresentationProxy::SetScalarColoring(bubbles, "Sides", vtkDataObject::CELL);
-  vtkSMProxy* colours = vtkSMPropertyHelper(bubbles, "LookupTable").GetAsProxy();
+  vtkNew<vtkSMTransferFunctionManager> maps;
+  vtkSMProxy* colours = maps->GetColorTransferFunction("Sides", bubbles->GetSessionProxyManager());
   vtkSMTransferFunctionProxy::RescaleTransferFunction(colours, FEWEST_SIDES, MOST_SIDES);
   vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode").Set(NEVER);
   colours->UpdateVTKObjects();
+  vtkSMPropertyHelper(bubbles, "ColorArrayName")
+      .SetInputArrayToProcess(vtkDataObject::CELL, "Sides");
+  vtkSMPropertyHelper(bubbles, "LookupTable").Set(colours);
 }
 
 /// Hides, in the active view, the bubbles of the filter that made the input of these bubbles.

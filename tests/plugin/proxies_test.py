@@ -2,6 +2,7 @@
 """Names, defaults, choices and ports of the proxies: the public contract, written out."""
 
 import os
+import pydoc
 import unittest
 
 from paraview import servermanager, simple
@@ -109,6 +110,25 @@ class Proxies(unittest.TestCase):
             for key in proxy.ListProperties():
                 documentation = proxy.GetProperty(key).SMProperty.GetDocumentation()
                 self.assertGreater(len(documentation.GetDescription() or ""), 15, (name, key))
+
+    def test_ranges_refuse_what_the_filters_refuse(self):
+        for name, key in [("FoamPoints", "Spacing"), ("FoamFromPoints", "SurfaceTension"),
+                          ("FoamFromPoints", "Tolerance"), ("FoamCoarsen", "TimeStep"),
+                          ("FoamCoarsen", "Alpha"), ("FoamPoints", "NumberOfPoints"),
+                          ("FoamCoarsen", "KeyframeInterval"), ("FoamCoarsen", "MaximumIterations")]:
+            prop = self.proxies[name].GetProperty(key).SMProperty
+            kind = "vtkSMIntRangeDomain" if prop.IsA("vtkSMIntVectorProperty") else "vtkSMDoubleRangeDomain"
+            domain = prop.FindDomain(kind)
+            self.assertTrue(domain.GetMinimumExists(0), key)
+            self.assertGreater(domain.GetMinimum(0), 0, key)
+
+    def test_help(self):
+        """Python's help tells of every property."""
+        for name, proxy in self.proxies.items():
+            text = pydoc.render_doc(type(proxy), renderer=pydoc.plaintext)
+            for key in proxy.ListProperties():
+                documentation = proxy.GetProperty(key).SMProperty.GetDocumentation().GetDescription()
+                self.assertIn(" ".join(documentation.split())[:60], " ".join(text.split()), (name, key))
 
     def test_menu(self):
         for name, proxy in self.proxies.items():

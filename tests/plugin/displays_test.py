@@ -9,6 +9,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
 
+
+def tearDownModule():
+    simple.Disconnect()  # closes the views before Python ends
+
+
 CONTROLLER = servermanager.vtkSMParaViewPipelineControllerWithRendering
 ROW = 6  # ParaView's number for rows of tables
 

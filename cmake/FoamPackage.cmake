@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What is installed beside the plugin and the Python package, and the Debian package of it all.
+include(GNUInstallDirs)
+set(package paraview-foam)
+install(FILES README.md CHANGELOG.md
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation)
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation RENAME copyright)
+install(DIRECTORY docs
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation)
+install(DIRECTORY examples sample-data
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/${package}" COMPONENT documentation)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME "${package}")
+set(CPACK_PACKAGE_CONTACT "The authors of Foam <foam@localhost>")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "A plugin that turns points into foam, lets it coarsen and
+measures it, as filters of ParaView and of its Python.")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_CMAKE_PROJECTS)
+foreach(component IN ITEMS runtime python documentation)
+  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};Foam;${component};/")
+endforeach()
+# Libraries are found by themselves; the plugin needs the very ParaView that it is built for.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), paraview (<< 5.12), python3-paraview")
+# The BLAS that the tests run with, and the icons of ParaView's windows.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial, libqt5svg5")
+include(CPack)

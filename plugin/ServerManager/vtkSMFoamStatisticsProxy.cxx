@@ -2,6 +2,7 @@
 #include "vtkSMFoamStatisticsProxy.h"
 
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSelectionHelper.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMVectorProperty.h"
 #include "vtkSMViewProxy.h"
 #include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
@@ -29,25 +31,30 @@ constexpr unsigned int ROWS_OF_BUBBLES = 2;
 constexpr unsigned int DISTRIBUTION = 3;
 constexpr unsigned int BUBBLES = 1;
 
-using Rows = std::vector<vtkIdType>; ///< pairs of process and row
+constexpr vtkIdType ANY_PROCESS = -1; ///< in a selection
+
+using Rows = std::set<vtkIdType>;
 
 /// The rows of a selection, or of the selections that it is put together from.
 Rows SelectedRows(vtkSMProxy* selection) {
+  Rows rows;
   if (!selection) {
-    return {};
+    return rows;
   }
-  if (vtkSMProperty* rows = selection->GetProperty("IDs")) {
-    return vtkSMPropertyHelper(rows).GetIdTypeArray();
-  }
-  Rows all;
-  if (vtkSMProperty* parts = selection->GetProperty("Input")) {
+  if (auto* ids = vtkSMVectorProperty::SafeDownCast(selection->GetProperty("IDs"))) {
+    // Tuples that end in the row: of process and row or, from a chart, of block, process and row.
+    const auto size = static_cast<std::size_t>(ids->GetNumberOfElementsPerCommand());
+    const auto tuples = vtkSMPropertyHelper(ids).GetIdTypeArray();
+    for (std::size_t i = size; i <= tuples.size(); i += size) {
+      rows.insert(tuples[i - 1]);
+    }
+  } else if (vtkSMProperty* parts = selection->GetProperty("Input")) {
     const vtkSMPropertyHelper helper(parts);
     for (unsigned int i = 0; i < helper.GetNumberOfElements(); ++i) {
-      const Rows rows = SelectedRows(helper.GetAsProxy(i));
-      all.insert(all.end(), rows.begin(), rows.end());
+      rows.merge(SelectedRows(helper.GetAsProxy(i)));
     }
   }
-  return all;
+  return rows;
 }
 
 vtkSmartPointer<vtkSMSourceProxy> NewSelection(vtkSMSourceProxy* owner, const char* kind) {
@@ -59,7 +66,11 @@ vtkSmartPointer<vtkSMSourceProxy> NewSelection(vtkSMSourceProxy* owner, const ch
 vtkSmartPointer<vtkSMSourceProxy> SelectBubbles(vtkSMSourceProxy* owner, const Rows& rows) {
   auto selection = NewSelection(owner, "IDSelectionSource");
   vtkSMPropertyHelper(selection, "FieldType").Set(vtkSelectionNode::CELL);
-  vtkSMPropertyHelper(selection, "IDs").Set(rows.data(), static_cast<unsigned int>(rows.size()));
+  std::vector<vtkIdType> ids; // pairs of process and bubble
+  for (const vtkIdType row : rows) {
+    ids.insert(ids.end(), {ANY_PROCESS, row});
+  }
+  vtkSMPropertyHelper(selection, "IDs").Set(ids.data(), static_cast<unsigned int>(ids.size()));
   return selection;
 }
 
@@ -71,8 +82,8 @@ vtkSmartPointer<vtkSMSourceProxy> SelectBySides(vtkSMSourceProxy* owner, const R
   const auto first = static_cast<vtkIdType>(sides->GetComponentRange(0)[0]);
   std::ostringstream query;
   query << '(';
-  for (std::size_t i = 1; i < rows.size(); i += 2) {
-    query << (i > 1 ? " | " : "") << "(Sides == " << first + rows[i] << ')';
+  for (const vtkIdType row : rows) {
+    query << (row == *rows.begin() ? "" : " | ") << "(Sides == " << first + row << ')';
   }
   query << ')';
   if (!vtkSMPropertyHelper(owner, "IncludeBoundary").GetAsInt()) {

@@ -120,6 +120,18 @@ class Selections(Displays):
             self.assertGreater(wanted.sum(), 3)
             self.assertEqual(self.selected(time), list(column(bubbles, "BubbleId")[wanted]))
 
+    def test_bars_of_a_chart(self):
+        """A chart names block, process and row, once for each of its series."""
+        self.statistics.SMProxy.UpdatePipeline(0.0)
+        parts = [simple.CompositeDataIDSelectionSource(IDs=[1, 0, 2, 1, 0, 3], FieldType=ROW) for _ in "ab"]
+        chosen = simple.AppendSelections(Input=parts, SelectionNames=["a", "b"], Expression="a|b")
+        self.statistics.SMProxy.SetSelectionInput(3, chosen.SMProxy, 0)
+        first = column(output_of(self.statistics, 3), "Sides")[0]
+        bubbles = output_of(self.coarsen, 1)
+        sides, inside = column(bubbles, "Sides"), column(bubbles, "OnBoundary") == 0
+        wanted = ((sides == first + 2) | (sides == first + 3)) & inside
+        self.assertEqual(self.selected(), list(column(bubbles, "BubbleId")[wanted]))
+
     def test_bars_with_the_boundary(self):
         self.statistics.IncludeBoundary = 1
         table = output_of(self.statistics, 3)

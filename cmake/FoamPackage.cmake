@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 set(package paraview-foam)
 install(FILES README.md CHANGELOG.md
   DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation)
-install(FILES LICENSE
+install(FILES cmake/debian-copyright
   DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation RENAME copyright)
 install(DIRECTORY docs
   DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}" COMPONENT documentation)

@@ -37,7 +37,7 @@ class Install(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        cls.prefix = Path(folder.name)
+        cls.prefix = Path(folder.name) / "prefix"
         subprocess.run([os.environ["FOAM_CMAKE"], "--install", os.environ["FOAM_BUILD"],
                         "--prefix", cls.prefix], check=True, stdout=subprocess.DEVNULL)
 
@@ -66,6 +66,20 @@ class Install(unittest.TestCase):
         done = self.run_script([os.environ["FOAM_PYTHON"]], IN_ANOTHER_VTK, PYTHONPATH=str(package.parent))
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"ImportError: foam is built for VTK 9\.\d+, but .* VTK 8\.1")
+
+    def test_debian_package(self):
+        """It has the plugin, and depends on the ParaView that this was built for."""
+        packages = self.prefix.parent / "packages"
+        build = os.environ["FOAM_BUILD"]
+        subprocess.run([os.environ["FOAM_CPACK"], "-G", "DEB", "--config", f"{build}/CPackConfig.cmake",
+                        "-B", packages], check=True, stdout=subprocess.DEVNULL)
+        (package,) = packages.glob("*.deb")
+        read = {option: subprocess.run(["dpkg-deb", option, package], check=True, capture_output=True,
+                                       text=True).stdout for option in ("--contents", "--field")}
+        self.assertIn("/plugins/Foam/Foam.so", read["--contents"])
+        self.assertIn("/foam/vtkFoamFilters.so", read["--contents"])
+        self.assertNotIn("/include/", read["--contents"])
+        self.assertRegex(read["--field"], r"Depends: .*paraview \(>= 5\.11\), paraview \(<< 5\.12\)")
 
     def test_files(self):
         for name in ("README.md", "copyright", "coarsen_real_foam.py", "real-foam-centroids.csv"):

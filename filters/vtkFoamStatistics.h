@@ -15,9 +15,9 @@
  * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm), Sides,
  * Perimeter (cm), OnBoundary.
  *
- * Port 3, Distribution, p(n) beside a real foam's in the scaling state, one row per n, also where no
- * bubble has n sides: Sides, Fraction, MeasuredFraction (0 where none was measured). The measured
- * foam is that of A. E. Roth, C. D. Jones, D. J. Durian, Phys. Rev. E 87, 042304 (2013).
+ * Port 3, Distribution, p(n) beside a real foam's in the scaling state, one row per n, also where
+ * no bubble has n sides: Sides, Fraction, MeasuredFraction (0 where none was measured). The
+ * measured foam is that of A. E. Roth, C. D. Jones, D. J. Durian, Phys. Rev. E 87, 042304 (2013).
  *
  * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
  * of Copenhagen, 2010, section 2.6.

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FilmBuffer.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+namespace foam::rendering {
+namespace {
+
+constexpr int kFloatsPerTexel = 4;
+
+template <class... Parts> std::string message(const Parts&... parts) {
+  std::ostringstream out;
+  out.precision(std::numeric_limits<double>::max_digits10);
+  (out << ... << parts);
+  return out.str();
+}
+
+/// The polyline's first and last point.
+std::pair<vtkIdType, vtkIdType> ends_of(vtkCellArray* lines, vtkIdType film) {
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  lines->GetCellAtId(film, size, ids);
+  return size < 2 ? std::pair<vtkIdType, vtkIdType>{-1, -1} : std::pair{ids[0], ids[size - 1]};
+}
+
+} // namespace
+
+FilmReading read_drawn_films(vtkPolyData* polylines) {
+  FilmReading reading;
+  const auto problem = [&](const auto&... parts) {
+    reading.problem = message(parts...);
+    return reading;
+  };
+  vtkCellArray* lines = polylines->GetLines();
+  const vtkIdType count = lines->GetNumberOfCells();
+  if (polylines->GetNumberOfCells() != count) {
+    return problem(polylines->GetNumberOfCells() - count, " of its cells are not polylines");
+  }
+  vtkCellData* data = polylines->GetCellData();
+  vtkDataArray* half_angle = data->GetArray("HalfAngle");
+  if (!half_angle) {
+    return problem("cell array HalfAngle is ",
+                   data->GetAbstractArray("HalfAngle") ? "not numeric" : "missing");
+  }
+  if (half_angle->GetNumberOfComponents() != 1 || half_angle->GetNumberOfTuples() != count) {
+    return problem("cell array HalfAngle has ", half_angle->GetNumberOfTuples(), " values of ",
+                   half_angle->GetNumberOfComponents(), " components for ", count, " films");
+  }
+  vtkDataArray* junction_id = polylines->GetPointData()->GetArray("JunctionId");
+  const auto junction = [&](vtkIdType point) {
+    return junction_id ? static_cast<std::int64_t>(junction_id->GetComponent(point, 0)) : point;
+  };
+
+  reading.films.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i) {
+    const auto [first, last] = ends_of(lines, i);
+    if (first < 0) {
+      return problem("film ", i, " has fewer than two points");
+    }
+    double a[3], b[3];
+    polylines->GetPoint(first, a);
+    polylines->GetPoint(last, b);
+    const double alpha = half_angle->GetComponent(i, 0);
+    if (!(std::abs(alpha) < std::numbers::pi)) {
+      return problem("HalfAngle of film ", i, " is ", alpha);
+    }
+    if (i == 0) {
+      reading.z = a[2];
+    }
+    for (const double* p : {a, b}) {
+      if (!std::isfinite(p[0] + p[1]) || p[2] != reading.z) {
+        return problem("film ", i, " ends in (", p[0], ", ", p[1], ", ", p[2],
+                       "), which is not in the plane z = ", reading.z);
+      }
+    }
+    reading.films.push_back(
+        {{a[0], a[1]}, {b[0], b[1]}, std::tan(alpha / 2), junction(first), junction(last)});
+  }
+  return reading;
+}
+
+vtkSmartPointer<vtkPolyData> chords_of(vtkPolyData* polylines) {
+  vtkCellArray* polyline_cells = polylines->GetLines();
+  const vtkIdType count = polyline_cells->GetNumberOfCells();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(2 * count);
+  vtkNew<vtkCellArray> lines;
+  lines->AllocateExact(count, 2 * count);
+  vtkSmartPointer<vtkPolyData> chords = vtkSmartPointer<vtkPolyData>::New();
+  vtkPointData* source = polylines->GetPointData();
+  chords->GetPointData()->CopyAllocate(source, 2 * count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    const auto [first, last] = ends_of(polyline_cells, i);
+    const vtkIdType ids[] = {2 * i, 2 * i + 1};
+    points->SetPoint(ids[0], polylines->GetPoint(first));
+    points->SetPoint(ids[1], polylines->GetPoint(last));
+    chords->GetPointData()->CopyData(source, first, ids[0]);
+    chords->GetPointData()->CopyData(source, last, ids[1]);
+    lines->InsertNextCell(2, ids);
+  }
+  chords->SetPoints(points);
+  chords->SetLines(lines);
+  chords->GetCellData()->ShallowCopy(polylines->GetCellData());
+  chords->GetFieldData()->ShallowCopy(polylines->GetFieldData());
+  return chords;
+}
+
+int texels_per_film(double border_radius) {
+  return border_radius > 0 ? 7 : 3;
+}
+
+void append_films(const std::vector<DrawnFilm>& films, Vec2 origin, double border_radius,
+                  std::vector<float>& buffer) {
+  const auto per_film = static_cast<std::size_t>(kFloatsPerTexel * texels_per_film(border_radius));
+  const auto before = static_cast<std::int64_t>(buffer.size() / per_film);
+  const auto append = [&](double x, double y, double z, double w) {
+    for (const double value : {x, y, z, w}) {
+      buffer.push_back(static_cast<float>(value));
+    }
+  };
+  const auto number = [&](std::int64_t end) {
+    return end < 0 ? -1.0 : static_cast<double>(2 * before + end);
+  };
+
+  const auto ends = film_ends(films, border_radius);
+  buffer.reserve(buffer.size() + per_film * films.size());
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    const Vec2 start = films[i].start - origin;
+    const Vec2 end = films[i].end - origin;
+    const FilmEnd& at_start = ends[2 * i];
+    const FilmEnd& at_end = ends[2 * i + 1];
+    append(start.x, start.y, end.x, end.y);
+    append(films[i].bulge, std::max(border_margin(at_start), border_margin(at_end)), 0, 0);
+    append(number(at_start.left.end), number(at_start.right.end), number(at_end.left.end),
+           number(at_end.right.end));
+    if (border_radius > 0) {
+      const auto append_side = [&](Vec2 junction, const BorderSide& side) {
+        append(junction.x + side.centre.x, junction.y + side.centre.y, side.radius, 0);
+      };
+      append_side(start, at_start.left.side);
+      append_side(start, at_start.right.side);
+      append_side(end, at_end.left.side);
+      append_side(end, at_end.right.side);
+    }
+  }
+}
+
+} // namespace foam::rendering

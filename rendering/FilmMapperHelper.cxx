@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FilmMapperHelper.h"
+
+#include <vector>
+
+#include <vtk_glew.h>
+
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkCompositePolyDataMapper2.h>
+#include <vtkDataObject.h>
+#include <vtkHardwareSelector.h>
+#include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLActor.h>
+#include <vtkOpenGLBufferObject.h>
+#include <vtkOpenGLCamera.h>
+#include <vtkOpenGLHelper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkShader.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureObject.h>
+
+#include "FilmBuffer.h"
+#include "FilmPlane.h"
+#include "FoamFilmArc.h"
+#include "FoamFilmFS.h"
+#include "FoamFilmGS.h"
+#include "FoamFilmVS.h"
+
+namespace foam::rendering {
+namespace {
+
+void substitute(vtkShader* shader, const std::string& from, const std::string& to) {
+  std::string source = shader->GetSource();
+  vtkShaderProgram::Substitute(source, from, to);
+  shader->SetSource(source);
+}
+
+} // namespace
+
+vtkStandardNewMacro(FilmMapperHelper);
+
+void FilmMapperHelper::ReleaseGraphicsResources(vtkWindow* window) {
+  texture_->ReleaseGraphicsResources(window);
+  buffer_->ReleaseGraphicsResources();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void FilmMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) {
+  const std::string problem = build_films(renderer);
+  if (!problem.empty() && problem != problem_) {
+    vtkWarningWithObjectMacro(this->Parent, "Films are drawn as ordinary lines: " << problem);
+  }
+  problem_ = problem;
+  this->Superclass::BuildBufferObjects(renderer, actor);
+}
+
+std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
+  chords_.clear();
+  vtkBoundingBox bounds;
+  for (auto& [polylines, data] : this->Data) {
+    data->Data = polylines;
+    bounds.AddBounds(polylines->GetBounds());
+  }
+  double middle[3] = {0, 0, 0};
+  if (bounds.IsValid()) {
+    bounds.GetCenter(middle);
+  }
+  origin_ = {middle[0], middle[1]};
+
+  std::vector<float> texels;
+  for (const auto& [polylines, data] : this->Data) {
+    const FilmReading reading = read_drawn_films(polylines);
+    if (!reading.problem.empty()) {
+      return reading.problem;
+    }
+    if (!texels.empty() && reading.z != z_) {
+      return "blocks lie in different planes of z";
+    }
+    z_ = reading.z;
+    append_films(reading.films, origin_, this->BorderRadius, texels);
+  }
+  const auto count = static_cast<GLint>(texels.size() / 4);
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  if (most < count) {
+    return "OpenGL here has buffers of " + std::to_string(most) + " texels, and they need " +
+           std::to_string(count);
+  }
+  if (count > 0) {
+    buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);
+    buffer_->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
+    texture_->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow()));
+    texture_->CreateTextureBuffer(static_cast<unsigned int>(count), 4, VTK_FLOAT, buffer_);
+  }
+  for (auto& [polylines, data] : this->Data) {
+    data->Data = chords_[polylines] = chords_of(polylines);
+  }
+  return {};
+}
+
+bool FilmMapperHelper::draws_films(vtkRenderer* renderer) const {
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const bool picks_points =
+      selector && selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return problem_.empty() && !picks_points;
+}
+
+void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders,
+                                         vtkRenderer* renderer, vtkActor* actor) {
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  if (!draws_films(renderer)) {
+    return;
+  }
+  vtkShader* geometry = shaders[vtkShader::Geometry];
+  shaders[vtkShader::Vertex]->SetSource(FoamFilmVS);
+  geometry->SetSource(FoamFilmGS);
+  substitute(geometry, "//FilmArc::Dec", FoamFilmArc);
+
+  // To VTK's own fragment shader comes how much of the pixel is covered, before anything else is
+  // done with it, and then as an opacity.
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  substitute(fragment, "//VTK::CustomUniforms::Dec",
+             std::string("//VTK::CustomUniforms::Dec\n") + FoamFilmFS);
+  substitute(fragment, "//FilmArc::Dec", FoamFilmArc);
+  const char* least = renderer->GetSelector() ? "0.5" : "1.0 / 512.0";
+  substitute(fragment, "//VTK::Clip::Impl",
+             std::string("float coverage = filmCoverage();\n"
+                         "  if (coverage < ") +
+                 least +
+                 ") { discard; }\n"
+                 "  //VTK::Clip::Impl");
+  substitute(fragment, "//VTK::TCoord::Impl",
+             "//VTK::TCoord::Impl\n"
+             "  gl_FragData[0].a *= coverage;\n");
+}
+
+void FilmMapperHelper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
+                                           vtkRenderer* renderer, vtkActor* actor) {
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  if (draws_films(renderer)) {
+    // VTK passes point data on vertex by vertex; along a film they go from one end to the other.
+    vtkShader* geometry = shaders[vtkShader::Geometry];
+    for (const std::string name : {"vertexColorVSOutput", "tcoordVCVSOutput"}) {
+      substitute(geometry, name + "[i]", "mix(" + name + "[0], " + name + "[1], t)");
+    }
+  }
+}
+
+void FilmMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) {
+  this->Superclass::RenderPieceStart(renderer, actor);
+  if (problem_.empty()) {
+    texture_->Activate();
+  }
+}
+
+void FilmMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) {
+  if (problem_.empty()) {
+    texture_->Deactivate();
+  }
+  this->Superclass::RenderPieceFinish(renderer, actor);
+}
+
+void FilmMapperHelper::SetMapperShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer,
+                                                 vtkActor* actor) {
+  this->Superclass::SetMapperShaderParameters(cells, renderer, actor);
+  vtkShaderProgram* program = cells.Program;
+  if (!program->IsUniformUsed("films")) {
+    return;
+  }
+  program->SetUniformi("films", texture_->GetTextureUnit());
+  program->SetUniformi("filmTexels", texels_per_film(this->BorderRadius));
+  program->SetUniformf("halfWidth", static_cast<float>(0.5 * film_width_));
+
+  vtkMatrix4x4 *world_to_view, *view_to_clip, *world_to_clip;
+  vtkMatrix3x3* normals;
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  camera->GetKeyMatrices(renderer, world_to_view, normals, view_to_clip, world_to_clip);
+  vtkNew<vtkMatrix4x4> model_to_clip; // the camera keeps its matrices transposed
+  vtkMatrix4x4::Transpose(world_to_clip, model_to_clip);
+  if (!actor->GetIsIdentity()) {
+    vtkMatrix4x4::Multiply4x4(model_to_clip, actor->GetMatrix(), model_to_clip);
+  }
+  int viewport[4];
+  vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow())
+      ->GetState()
+      ->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  FilmPlane plane = film_plane(model_to_clip->GetData(), origin_, z_, viewport);
+  program->SetUniformMatrix4x4("planeToClip", plane.plane_to_clip.data());
+  program->SetUniformMatrix3x3("pixelToPlane", plane.pixel_to_plane.data());
+  program->SetUniform2f("viewOrigin", plane.view_origin.data());
+  program->SetUniform2f("viewportSize", plane.viewport_size.data());
+}
+
+} // namespace foam::rendering

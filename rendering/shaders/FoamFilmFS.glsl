@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How much of a pixel a film covers, from the distance to its arc.
+flat in int film;
+
+uniform mat3 pixelToPlane; // from (x, y, 1) of a pixel to the foam's plane, homogeneous
+
+//FilmArc::Dec
+
+// The plane around this pixel, to first order.
+vec2 here;      // its place
+mat2 pixelStep; // change of place per pixel
+mat2 toPixels;  // the inverse
+
+void lookAtPixel() {
+  vec3 h = pixelToPlane * vec3(gl_FragCoord.xy, 1.0);
+  here = h.xy / h.z;
+  pixelStep = mat2(pixelToPlane[0].xy - here * pixelToPlane[0].z,
+                   pixelToPlane[1].xy - here * pixelToPlane[1].z) / h.z;
+  toPixels = inverse(pixelStep);
+}
+
+float pixelLength(vec2 v) {
+  return length(toPixels * v);
+}
+
+// Whether this pixel is across from some place on the arc, rather than from an end.
+bool isAcross(Arc arc, Frame f) {
+  bool afterStart = dot(here - arc.start, f.cosine * f.along - f.sine * f.left) >= 0.0;
+  bool beforeEnd = dot(here - arc.end, f.cosine * f.along + f.sine * f.left) <= 0.0;
+  return abs(arc.bulge) <= 1.0 ? afterStart && beforeEnd : afterStart || beforeEnd;
+}
+
+// Distance from the arc, in pixels. With r from the arc's middle and its curvature k, the function
+// g = r.left − k·r²/2 vanishes on the circle; the distance is 2g/(1 + |∇g|), also for k = 0.
+float distanceTo(Arc arc) {
+  Frame f = frameOf(arc);
+  if (!isAcross(arc, f)) {
+    return min(pixelLength(here - arc.start), pixelLength(here - arc.end));
+  }
+  vec2 r = here - f.apex;
+  float g = dot(r, f.left) - 0.5 * f.curvature * dot(r, r);
+  vec2 gradient = f.left - f.curvature * r;
+  float slope = length(gradient);
+  return 2.0 * abs(g) / (1.0 + slope) * slope / max(length(gradient * pixelStep), 1e-30);
+}
+
+// The film that leaves a junction by an end: 2·film for the start of a film, 2·film + 1 for its end.
+Arc departure(int end) {
+  Arc arc = filmArc(end / 2);
+  return end % 2 == 0 ? arc : reversed(arc);
+}
+
+// The signed distance to the side of a Plateau border in pixels, < 0 in the liquid; far away where
+// the film itself is nearer than the side. The film leaves the border's junction.
+float distanceToBorder(Arc film, vec3 side) {
+  const float kFar = 1e30;
+  if (side.z <= 0.0) {
+    return kFar;
+  }
+  Frame f = frameOf(film);
+  vec2 r = here - f.apex;
+  vec2 c = side.xy - f.apex;
+  float leftOfFilm = dot(r, f.left) - 0.5 * f.curvature * dot(r, r);
+  float centreLeft = dot(c, f.left) - 0.5 * f.curvature * dot(c, c);
+  // The side touches the film where the line from the film's centre through the side's crosses it.
+  vec2 normal = f.left - f.curvature * c;
+  bool beforeTouching = dot(here - side.xy, -leftNormal(normal)) < 0.0;
+  bool afterStart = dot(here - film.start, f.cosine * f.along - f.sine * f.left) >= 0.0;
+  if (leftOfFilm * centreLeft <= 0.0 || !beforeTouching || !afterStart) {
+    return kFar;
+  }
+  vec2 fromSide = here - side.xy;
+  float fromCentre = max(length(fromSide), 1e-30);
+  return (side.z - fromCentre) / length((fromSide / fromCentre) * pixelStep);
+}
+
+// The part of a pixel that a line of the given half-width covers at this distance.
+float lineCoverage(float distance, float halfWidthHere) {
+  return max(0.0, min(halfWidthHere, distance + 0.5) - max(-halfWidthHere, distance - 0.5));
+}
+
+float filmCoverage() {
+  lookAtPixel();
+  Arc arc = filmArc(film);
+  bool wet = filmTexels > 3;
+  float line = lineCoverage(distanceTo(arc), halfWidth);
+  if (line <= 0.0 && !wet) {
+    return 0.0;
+  }
+  float liquid = 0.0;
+  vec4 neighbours = texelFetch(films, film * filmTexels + 2);
+  for (int i = 0; i < 4; ++i) {
+    // The neighbours left and right of the start, then of the end.
+    int own = 2 * film + i / 2;
+    int other = int(neighbours[i]);
+    if (other < 0) {
+      continue;
+    }
+    Arc leaving = i < 2 ? arc : reversed(arc);
+    Arc beside = departure(other);
+    vec2 shift = leaving.start - beside.start; // a period, if the other is drawn elsewhere
+    beside = Arc(beside.start + shift, beside.end + shift, beside.bulge);
+    float ownDistance = distanceTo(leaving);
+    float otherDistance = distanceTo(beside);
+    bool isNearest = ownDistance < otherDistance || (ownDistance == otherDistance && own < other);
+    if (!isNearest && shift == vec2(0.0)) {
+      return 0.0;
+    }
+    if (wet && isNearest) {
+      vec3 side = texelFetch(films, film * filmTexels + 3 + i).xyz;
+      side.xy -= viewOrigin;
+      liquid = max(liquid, clamp(halfWidth + 0.5 - distanceToBorder(leaving, side), 0.0, 1.0));
+    }
+  }
+  return max(line, liquid);
+}

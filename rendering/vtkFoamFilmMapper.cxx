@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkFoamFilmMapper.h"
+
+#include <vtkObjectFactory.h>
+
+#include "FilmMapperHelper.h"
+
+vtkStandardNewMacro(vtkFoamFilmMapper);
+
+void vtkFoamFilmMapper::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FilmWidth: " << this->FilmWidth << "\n";
+  os << indent << "BorderRadius: " << this->BorderRadius << "\n";
+}
+
+vtkCompositeMapperHelper2* vtkFoamFilmMapper::CreateHelper() {
+  return foam::rendering::FilmMapperHelper::New();
+}
+
+void vtkFoamFilmMapper::CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) {
+  this->Superclass::CopyMapperValuesToHelper(helper);
+  auto* films = foam::rendering::FilmMapperHelper::SafeDownCast(helper);
+  films->SetFilmWidth(this->FilmWidth);
+  films->SetBorderRadius(this->BorderRadius);
+}

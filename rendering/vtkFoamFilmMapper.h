@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * \class vtkFoamFilmMapper
+ * \brief Draws films as the circular arcs that they are.
+ *
+ * The input is the films of a foam: polylines with the cell array HalfAngle (rad). Of each polyline
+ * only the ends are used; a geometry shader puts a ribbon around the arc, and a fragment shader
+ * computes how far each pixel is from it. So films are smooth at any zoom, and have a constant
+ * width in pixels; they are drawn with anti-aliased edges, as translucent geometry. Each pixel near
+ * a junction is drawn by the film that is nearest, so that films join without overlaps and gaps.
+ *
+ * If the input is not films in a plane of constant z, or OpenGL cannot do it, the mapper warns and
+ * draws as its superclass does.
+ *
+ * After B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University of
+ * Copenhagen, 2010, chapter 5, and, for the distance field, J. A. Bærentzen, S. L. Nielsen, M. Gjøl
+ * and B. D. Larsen, Two methods for antialiased wireframe drawing with hidden line removal, Proc.
+ * SCCG 2008.
+ *
+ * \sa vtkFoamFilmsRepresentation
+ */
+#ifndef vtkFoamFilmMapper_h
+#define vtkFoamFilmMapper_h
+
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkFoamRenderingModule.h" // for the export macro
+
+class VTKFOAMRENDERING_EXPORT vtkFoamFilmMapper : public vtkCompositePolyDataMapper2 {
+public:
+  static vtkFoamFilmMapper* New();
+  vtkTypeMacro(vtkFoamFilmMapper, vtkCompositePolyDataMapper2);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Width of a film in pixels, at any zoom. Default 2.
+  vtkSetClampMacro(FilmWidth, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FilmWidth, double);
+  ///@}
+
+  ///@{
+  /// Radius (cm) of the sides of Plateau borders, were the films straight; 0, the default, for a
+  /// dry foam.
+  vtkSetClampMacro(BorderRadius, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BorderRadius, double);
+  ///@}
+
+  /// Films have soft edges, which are blended with what is behind.
+  bool HasTranslucentPolygonalGeometry() override { return true; }
+
+protected:
+  vtkFoamFilmMapper() = default;
+  ~vtkFoamFilmMapper() override = default;
+
+  vtkCompositeMapperHelper2* CreateHelper() override;
+  void CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) override;
+
+  double FilmWidth = 2;
+  double BorderRadius = 0;
+
+private:
+  vtkFoamFilmMapper(const vtkFoamFilmMapper&) = delete;
+  void operator=(const vtkFoamFilmMapper&) = delete;
+};
+
+#endif

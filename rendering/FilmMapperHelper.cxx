@@ -7,7 +7,6 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkDataObject.h>
 #include <vtkHardwareSelector.h>
 #include <vtkMatrix4x4.h>
@@ -22,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
+#include <vtkTexture.h>
 #include <vtkTextureObject.h>
 
 #include "FilmBuffer.h"
@@ -30,6 +30,7 @@
 #include "FoamFilmFS.h"
 #include "FoamFilmGS.h"
 #include "FoamFilmVS.h"
+#include "vtkFoamFilmMapper.h"
 
 namespace foam::rendering {
 namespace {
@@ -45,6 +46,9 @@ void substitute(vtkShader* shader, const std::string& from, const std::string& t
 vtkStandardNewMacro(FilmMapperHelper);
 
 void FilmMapperHelper::ReleaseGraphicsResources(vtkWindow* window) {
+  if (picture_) {
+    picture_->ReleaseGraphicsResources(window);
+  }
   texture_->ReleaseGraphicsResources(window);
   buffer_->ReleaseGraphicsResources();
   this->Superclass::ReleaseGraphicsResources(window);
@@ -110,6 +114,10 @@ bool FilmMapperHelper::draws_films(vtkRenderer* renderer) const {
   return problem_.empty() && !picks_points;
 }
 
+bool FilmMapperHelper::draws_texture() const {
+  return problem_.empty() && this->FilmStyle == vtkFoamFilmMapper::Texture;
+}
+
 void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders,
                                          vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
@@ -127,16 +135,18 @@ void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> s
   substitute(fragment, "//VTK::CustomUniforms::Dec",
              std::string("//VTK::CustomUniforms::Dec\n") + FoamFilmFS);
   substitute(fragment, "//FilmArc::Dec", FoamFilmArc);
+  substitute(fragment, "//FilmStyle::Dec", "#define FILM_STYLE " + std::to_string(this->FilmStyle));
   const char* least = renderer->GetSelector() ? "0.5" : "1.0 / 512.0";
   substitute(fragment, "//VTK::Clip::Impl",
-             std::string("float coverage = filmCoverage();\n"
+             std::string("vec4 paint;\n"
+                         "  float coverage = filmCoverage(paint);\n"
                          "  if (coverage < ") +
                  least +
                  ") { discard; }\n"
                  "  //VTK::Clip::Impl");
   substitute(fragment, "//VTK::TCoord::Impl",
              "//VTK::TCoord::Impl\n"
-             "  gl_FragData[0].a *= coverage;\n");
+             "  gl_FragData[0] *= vec4(paint.rgb, paint.a * coverage);\n");
 }
 
 void FilmMapperHelper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
@@ -156,9 +166,15 @@ void FilmMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) 
   if (problem_.empty()) {
     texture_->Activate();
   }
+  if (draws_texture()) {
+    picture_->Render(renderer);
+  }
 }
 
 void FilmMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) {
+  if (draws_texture()) {
+    picture_->PostRender(renderer);
+  }
   if (problem_.empty()) {
     texture_->Deactivate();
   }
@@ -173,6 +189,9 @@ void FilmMapperHelper::SetMapperShaderParameters(vtkOpenGLHelper& cells, vtkRend
     return;
   }
   program->SetUniformi("films", texture_->GetTextureUnit());
+  if (draws_texture()) {
+    program->SetUniformi("filmTexture", picture_->GetTextureUnit());
+  }
   program->SetUniformi("filmTexels", texels_per_film(this->BorderRadius));
   program->SetUniformf("halfWidth", static_cast<float>(0.5 * film_width_));
 

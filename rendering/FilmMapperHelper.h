@@ -11,6 +11,7 @@
 #include "geometry/vec2.h"
 
 class vtkOpenGLBufferObject;
+class vtkTexture;
 class vtkTextureObject;
 
 namespace foam::rendering {
@@ -25,6 +26,9 @@ public:
   void SetFilmWidth(double width) { film_width_ = width; }
   /// cm. Changes the buffer.
   vtkSetMacro(BorderRadius, double);
+  /// One of vtkFoamFilmMapper::Styles. Changes the shader.
+  vtkSetMacro(FilmStyle, int);
+  void SetFilmTexture(vtkTexture* texture) { picture_ = texture; }
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -46,9 +50,12 @@ private:
   /// Fills the buffer with the films of all blocks; why that cannot be done, or nothing.
   std::string build_films(vtkRenderer* renderer);
   bool draws_films(vtkRenderer* renderer) const;
+  bool draws_texture() const;
 
   double film_width_ = 2;
-  double BorderRadius = 0; // named for vtkSetMacro
+  double BorderRadius = 0; // these two are named for vtkSetMacro
+  int FilmStyle = 0;
+  vtkSmartPointer<vtkTexture> picture_; ///< for the style Texture
 
   std::string problem_ = "no films yet"; ///< why films are drawn as ordinary lines
   std::map<vtkPolyData*, vtkSmartPointer<vtkPolyData>> chords_;

@@ -24,6 +24,8 @@
 
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkFoamRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"        // for a member
+#include "vtkTexture.h"             // for a member
 
 class VTKFOAMRENDERING_EXPORT vtkFoamFilmMapper : public vtkCompositePolyDataMapper2 {
 public:
@@ -44,18 +46,40 @@ public:
   vtkGetMacro(BorderRadius, double);
   ///@}
 
+  /// How a film is drawn.
+  enum Styles {
+    Plain = 0,  ///< an even line
+    Ink = 1,    ///< a stroke of a pen
+    Texture = 2 ///< a picture that is repeated along the film
+  };
+
+  ///@{
+  /// One of Styles. Default Plain.
+  vtkSetClampMacro(FilmStyle, int, Plain, Texture);
+  vtkGetMacro(FilmStyle, int);
+  ///@}
+
+  ///@{
+  /// The picture for the style Texture: its height becomes the film's width, its colours multiply
+  /// the film's. Without one films are drawn plain.
+  virtual void SetFilmTexture(vtkTexture* texture);
+  vtkTexture* GetFilmTexture() { return this->FilmTexture; }
+  ///@}
+
   /// Films have soft edges, which are blended with what is behind.
   bool HasTranslucentPolygonalGeometry() override { return true; }
 
 protected:
-  vtkFoamFilmMapper() = default;
-  ~vtkFoamFilmMapper() override = default;
+  vtkFoamFilmMapper();
+  ~vtkFoamFilmMapper() override;
 
   vtkCompositeMapperHelper2* CreateHelper() override;
   void CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) override;
 
   double FilmWidth = 2;
   double BorderRadius = 0;
+  int FilmStyle = Plain;
+  vtkSmartPointer<vtkTexture> FilmTexture;
 
 private:
   vtkFoamFilmMapper(const vtkFoamFilmMapper&) = delete;

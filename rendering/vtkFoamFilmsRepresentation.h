@@ -22,6 +22,11 @@ public:
   /// Radius (cm) of the sides of Plateau borders; 0 for a dry foam.
   void SetBorderRadius(double radius);
 
+  /// One of vtkFoamFilmMapper::Styles.
+  void SetFilmStyle(int style);
+  /// A picture file for the style Texture; warns if it cannot be read.
+  void SetFilmTextureFile(const char* path);
+
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* in,
                          vtkInformation* out) override;
 

@@ -5,6 +5,14 @@ flat in int film;
 
 uniform mat3 pixelToPlane; // from (x, y, 1) of a pixel to the foam's plane, homogeneous
 
+//FilmStyle::Dec
+#define PLAIN 0
+#define INK 1
+#define TEXTURE 2
+#if FILM_STYLE == TEXTURE
+uniform sampler2D filmTexture;
+#endif
+
 //FilmArc::Dec
 
 // The plane around this pixel, to first order.
@@ -80,16 +88,73 @@ float lineCoverage(float distance, float halfWidthHere) {
   return max(0.0, min(halfWidthHere, distance + 0.5) - max(-halfWidthHere, distance - 0.5));
 }
 
-float filmCoverage() {
+// Where this pixel is on a film, in pixels: along it from its middle, and to the left of it.
+vec2 placeOn(Frame f) {
+  vec2 r = here - f.apex;
+  float x = dot(r, f.along);
+  float y = dot(r, f.left);
+  float ahead = 1.0 - f.curvature * y;
+  bool straight = abs(f.curvature) * f.chord < 1e-3;
+  float along = straight ? x / ahead : atan(f.curvature * x, ahead) / f.curvature;
+  float across = (2.0 * y - f.curvature * dot(r, r)) / (1.0 + length(f.left - f.curvature * r));
+  return vec2(along, across) / sqrt(abs(determinant(pixelStep)));
+}
+
+float hash(float n) {
+  return fract(sin(n) * 43758.5453);
+}
+
+// Smooth noise between 0 and 1 along a line, another one for each seed.
+float noise(float x, float seed) {
+  float i = floor(x);
+  return mix(hash(i + seed), hash(i + 1.0 + seed), smoothstep(0.0, 1.0, x - i));
+}
+
+// A stroke of a pen: thin where it begins and ends, its pressure never quite even, its edges a little
+// rough. At the ends it is as thin for every film, so that strokes meet.
+float inkHalfWidth(Frame f, vec2 place) {
+  float halfLength = max(0.5 * pixelLength(f.chord * f.along), 1e-3);
+  float t = clamp(abs(place.x) / halfLength, 0.0, 1.0);
+  float seed = 17.0 * float(film);
+  float pressure = 0.75 + 0.5 * noise(place.x / 25.0, seed);
+  float rough = noise(place.x / 2.5, seed + 5.0 * sign(place.y)) - 0.5;
+  return halfWidth * mix(pressure + 0.2 * rough, 0.35, smoothstep(0.2, 1.0, t));
+}
+
+#if FILM_STYLE == TEXTURE
+// The texture's colour; its height is the film's width, and its own proportions are kept.
+vec4 textureColour(vec2 place) {
+  vec2 size = vec2(textureSize(filmTexture, 0));
+  float width = 2.0 * max(halfWidth, 0.5);
+  float margin = 0.5 / size.y;
+  vec2 uv = vec2(place.x / width * size.y / size.x, clamp(place.y / width + 0.5, margin, 1.0 - margin));
+  return textureLod(filmTexture, uv, log2(max(size.y / width, 1.0)));
+}
+#endif
+
+// What this film covers of the pixel, and in paint what its style does to its colour.
+float filmCoverage(out vec4 paint) {
+  paint = vec4(1.0);
   lookAtPixel();
   Arc arc = filmArc(film);
+  float distance = distanceTo(arc);
   bool wet = filmTexels > 3;
-  float line = lineCoverage(distanceTo(arc), halfWidth);
-  if (line <= 0.0 && !wet) {
+  if (!wet && distance > halfWidth + 0.5) {
     return 0.0;
   }
+
+  float halfWidthHere = halfWidth;
+#if FILM_STYLE == INK
+  Frame f = frameOf(arc);
+  halfWidthHere = inkHalfWidth(f, placeOn(f));
+#elif FILM_STYLE == TEXTURE
+  paint = textureColour(placeOn(frameOf(arc)));
+#endif
+  float line = lineCoverage(distance, halfWidthHere);
+
   float liquid = 0.0;
   vec4 neighbours = texelFetch(films, film * filmTexels + 2);
+  float ownDistance;
   for (int i = 0; i < 4; ++i) {
     // The neighbours left and right of the start, then of the end.
     int own = 2 * film + i / 2;
@@ -97,11 +162,14 @@ float filmCoverage() {
     if (other < 0) {
       continue;
     }
+    // All films of a junction see it from there, so that they agree to the last bit who is nearest.
     Arc leaving = i < 2 ? arc : reversed(arc);
+    if (i % 2 == 0 || neighbours[i - 1] < 0.0) {
+      ownDistance = distanceTo(leaving);
+    }
     Arc beside = departure(other);
     vec2 shift = leaving.start - beside.start; // a period, if the other is drawn elsewhere
     beside = Arc(beside.start + shift, beside.end + shift, beside.bulge);
-    float ownDistance = distanceTo(leaving);
     float otherDistance = distanceTo(beside);
     bool isNearest = ownDistance < otherDistance || (ownDistance == otherDistance && own < other);
     if (!isNearest && shift == vec2(0.0)) {
@@ -110,7 +178,7 @@ float filmCoverage() {
     if (wet && isNearest) {
       vec3 side = texelFetch(films, film * filmTexels + 3 + i).xyz;
       side.xy -= viewOrigin;
-      liquid = max(liquid, clamp(halfWidth + 0.5 - distanceToBorder(leaving, side), 0.0, 1.0));
+      liquid = max(liquid, clamp(halfWidthHere + 0.5 - distanceToBorder(leaving, side), 0.0, 1.0));
     }
   }
   return max(line, liquid);

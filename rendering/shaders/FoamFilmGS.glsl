@@ -55,7 +55,7 @@ void main() {
   Frame f = frameOf(arc);
   float halfAngle = 2.0 * atan(arc.bulge);
   float pixel = max(max(unitsPerPixel(arc.start), unitsPerPixel(arc.end)), unitsPerPixel(f.apex));
-  float margin = (halfWidth + 1.0) * pixel + texelFetch(films, filmOfVertex[0] * filmTexels + 1).y;
+  float margin = (halfWidth + 0.6) * pixel + texelFetch(films, filmOfVertex[0] * filmTexels + 1).y;
 
   // As many segments as keep their chords within a few pixels of the arc.
   float radius = 1.0 / max(abs(f.curvature), 1e-30);

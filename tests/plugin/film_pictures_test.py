@@ -4,15 +4,15 @@
 import math
 import os
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
+import matplotlib.image
 import numpy as np
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-
 sys.path.insert(0, str(Path(__file__).parent))
-from pictures import (arc_length, darkness, distance_to_arc, picture, pixel_centres, pixel_size,
+from pictures import (Messages, arc_length, darkness, distance_to_arc, picture, pixel_centres, pixel_size,
                       polylines, show, source_of, view_of)
 
 simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
@@ -44,6 +44,10 @@ def tearDownModule():
 
 
 class FilmPictures(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
     def tearDown(self):
         simple.ResetSession()
 
@@ -192,6 +196,60 @@ class FilmPictures(unittest.TestCase):
         # Area between three circles of radius R that touch: R²(√3 − π/2), in first order.
         self.assertAlmostEqual(extra / (0.1**2 * (ROOT3 - math.pi / 2)), 1, delta=0.25)
 
+    def test_texture_goes_along_the_film_in_its_proportions(self):
+        """From the film's middle: a period twice as long as the film is wide, red and then blue."""
+        red, blue = [255, 0, 0], [0, 0, 255]
+        path = self.picture_file(np.array([[red] * 8 + [blue] * 8] * 8, np.uint8))
+        for scale in (1, 0.5):
+            with self.subTest(scale=scale):
+                view = view_of(scale=scale)
+                show(polylines([((-0.9, 0), (0.9, 0), 0.0)]), view, FilmWidth=10, FilmStyle="Texture",
+                     FilmTextureFile=path, AmbientColor=[1, 1, 1], DiffuseColor=[1, 1, 1])
+                shown = picture(view)[200]
+                for offset, colour in ((5, red), (15, blue), (25, red), (-5, blue), (-15, red)):
+                    self.assertLess(np.abs(shown[200 + offset] - np.array(colour) / 255).max(), 0.05)
+
+    def test_textures_that_come_with_foam(self):
+        folder = Path(__file__).parent.parent.parent / "rendering" / "textures"
+        for path in sorted(folder.glob("*.png")):
+            with self.subTest(path.name):
+                view = view_of()
+                show(polylines(ARCS), view, FilmWidth=16, FilmStyle="Texture", FilmTextureFile=str(path))
+                distance = distance_to(view, ARCS)
+                dark = darkness(view)
+                self.assertGreater(dark[distance < 1].mean(), 0.9)
+                self.assertEqual(dark[distance > 9].max(), 0)
+
+    def test_no_texture_is_said_and_drawn_plain(self):
+        view = view_of()
+        display = show(polylines(ARCS), view, FilmWidth=5)
+        plain = darkness(view)
+        folder = Path(tempfile.gettempdir())
+        text = Path(self.folder.name) / "text.png"
+        text.write_text("no picture")
+        for path, cause in (("/nowhere/rope.png", "/nowhere/rope.png does not exist"),
+                            (str(text), "text.png is not a picture"), (str(folder), "does not exist")):
+            with self.subTest(path), Messages() as messages:
+                display.FilmStyle = "Texture"
+                display.FilmTextureFile = path
+                self.assertEqual(np.abs(darkness(view) - plain).max(), 0)
+                self.assertIn(cause, messages.text())
+
+    def test_ink_swells_and_tapers(self):
+        view = view_of(scale=1)
+        show(polylines([((-0.9, 0), (0.9, 0), 0.0)]), view, FilmWidth=20, FilmStyle="Ink")
+        width = darkness(view).sum(axis=0)
+        inside = width[40:-40]
+        self.assertAlmostEqual(width[22], 7, delta=1)  # about a third at the ends
+        self.assertAlmostEqual(width[-22], 7, delta=1)
+        self.assertTrue(15 < inside.max() < 28)
+        self.assertGreater(np.std(width[160:240]), 0.2)
+
+    def picture_file(self, pixels):
+        path = str(Path(self.folder.name) / "texture.png")
+        matplotlib.image.imsave(path, pixels)
+        return path
+
     def test_other_representations_are_as_before(self):
         data = polylines(ARCS, samples=60)
         view = view_of()
@@ -225,16 +283,11 @@ class OrdinaryDrawing(unittest.TestCase):
     def check_drawn_as_lines(self, data, cause):
         view = view_of()
         display = show(data, view)
-        messages = vtkStringOutputWindow()
-        before = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(messages)
-        try:
+        with Messages() as messages:
             darkness(view)
             films = darkness(view)
-        finally:
-            vtkOutputWindow.SetInstance(before)
-        self.assertEqual(messages.GetOutput().count("Films are drawn as ordinary lines"), 1)
-        self.assertIn(cause, messages.GetOutput())
+        self.assertEqual(messages.text().count("Films are drawn as ordinary lines"), 1)
+        self.assertIn(cause, messages.text())
         display.Representation = "Wireframe"
         self.assertGreater(films.sum(), 100)
         self.assertEqual(np.abs(films - darkness(view)).max(), 0)

@@ -8,13 +8,30 @@ from pathlib import Path
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkOutputWindow, vtkPoints, vtkStringArray,
+                                      vtkStringOutputWindow)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 simple._DisableFirstRenderCameraReset()  # pictures are taken from where they are said to be
 
 CHORD_ONLY = 2  # samples of a film
+
+
+class Messages:
+    """What VTK says while this is entered."""
+
+    def __enter__(self):
+        self.window = vtkStringOutputWindow()
+        self.before = vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(self.window)
+        return self
+
+    def __exit__(self, *_):
+        vtkOutputWindow.SetInstance(self.before)
+
+    def text(self):
+        return self.window.GetOutput()
 
 
 def arc_points(start, end, half_angle, count):

@@ -61,7 +61,25 @@ def polylines(arcs, samples=CHORD_ONLY, **arrays):
             lines.InsertCellPoint(numbers[key])
     data.SetPoints(points)
     data.SetLines(lines)
-    for name, values in {"HalfAngle": [arc[2] for arc in arcs], **arrays}.items():
+    add_cell_arrays(data, {"HalfAngle": [arc[2] for arc in arcs], **arrays})
+    return data
+
+
+def squares(count, **arrays):
+    """A row of squares of side 1 around the origin, with cell arrays."""
+    data, points, polygons = vtkPolyData(), vtkPoints(), vtkCellArray()
+    for i in range(count):
+        polygons.InsertNextCell(4)
+        for dx, y in ((0, -0.5), (1, -0.5), (1, 0.5), (0, 0.5)):
+            polygons.InsertCellPoint(points.InsertNextPoint(i - count / 2 + dx, y, 0))
+    data.SetPoints(points)
+    data.SetPolys(polygons)
+    add_cell_arrays(data, arrays)
+    return data
+
+
+def add_cell_arrays(data, arrays):
+    for name, values in arrays.items():
         if values is None:
             continue
         array = vtkStringArray() if isinstance(values[0], str) else vtkDoubleArray()
@@ -69,7 +87,6 @@ def polylines(arcs, samples=CHORD_ONLY, **arrays):
         for value in values:
             array.InsertNextValue(value)
         data.GetCellData().AddArray(array)
-    return data
 
 
 def source_of(data):

@@ -164,18 +164,18 @@ float filmCoverage(out vec4 paint) {
     }
     // All films of a junction see it from there, so that they agree to the last bit who is nearest.
     Arc leaving = i < 2 ? arc : reversed(arc);
-    if (i % 2 == 0 || neighbours[i - 1] < 0.0) {
+    if (i % 2 == 0) {
       ownDistance = distanceTo(leaving);
     }
     Arc beside = departure(other);
-    vec2 shift = leaving.start - beside.start; // a period, if the other is drawn elsewhere
-    beside = Arc(beside.start + shift, beside.end + shift, beside.bulge);
+    if (beside.start != leaving.start) {
+      continue; // in a periodic foam, it is drawn a period away
+    }
     float otherDistance = distanceTo(beside);
-    bool isNearest = ownDistance < otherDistance || (ownDistance == otherDistance && own < other);
-    if (!isNearest && shift == vec2(0.0)) {
+    if (otherDistance < ownDistance || (otherDistance == ownDistance && other < own)) {
       return 0.0;
     }
-    if (wet && isNearest) {
+    if (wet) {
       vec3 side = texelFetch(films, film * filmTexels + 3 + i).xyz;
       side.xy -= viewOrigin;
       liquid = max(liquid, clamp(halfWidthHere + 0.5 - distanceToBorder(leaving, side), 0.0, 1.0));

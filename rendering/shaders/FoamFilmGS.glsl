@@ -36,6 +36,18 @@ float unitsPerPixel(vec2 p) {
   return 1.0 / max(det / larger, kGrazing * larger);
 }
 
+// Whether a rectangle in the plane, middle ± a ± b, is beyond one side of the view. An edge of the view
+// is a plane in clip coordinates, and the nearest corner to it is found by sign.
+bool isOutside(vec2 middle, vec2 a, vec2 b) {
+  vec4 m = planeToClip * vec4(middle, 0.0, 1.0);
+  vec4 da = planeToClip * vec4(a, 0.0, 0.0);
+  vec4 db = planeToClip * vec4(b, 0.0, 0.0);
+  vec2 edge = 1.0 + 2.0 * (halfWidth + 1.0) / viewportSize;
+  vec2 right = m.xy - m.w * edge - abs(da.xy - da.w * edge) - abs(db.xy - db.w * edge);
+  vec2 left = -m.xy - m.w * edge - abs(da.xy + da.w * edge) - abs(db.xy + db.w * edge);
+  return any(greaterThan(right, vec2(0.0))) || any(greaterThan(left, vec2(0.0)));
+}
+
 void vertexAt(vec2 p, float t) {
   film = filmOfVertex[0];
   gl_Position = planeToClip * vec4(p, 0.0, 1.0);
@@ -53,18 +65,24 @@ void main() {
     return;
   }
   Frame f = frameOf(arc);
-  float halfAngle = 2.0 * atan(arc.bulge);
+  float borders = texelFetch(films, filmOfVertex[0] * filmTexels + 1).y;
+  float radius = 1.0 / max(abs(f.curvature), 1e-30);
+  float height = 0.5 * f.chord * arc.bulge;
+  float reach = abs(arc.bulge) > 1.0 ? radius : 0.5 * f.chord;
+  if (isOutside(f.apex + 0.5 * height * f.left, (reach + borders) * f.along,
+                (0.5 * abs(height) + borders) * f.left)) {
+    return;
+  }
   float pixel = max(max(unitsPerPixel(arc.start), unitsPerPixel(arc.end)), unitsPerPixel(f.apex));
-  float margin = (halfWidth + 0.6) * pixel + texelFetch(films, filmOfVertex[0] * filmTexels + 1).y;
+  float margin = (halfWidth + 0.6) * pixel + borders;
 
   // As many segments as keep their chords within a few pixels of the arc.
-  float radius = 1.0 / max(abs(f.curvature), 1e-30);
+  float halfAngle = 2.0 * atan(arc.bulge);
   float segments = max(abs(halfAngle) * sqrt(radius / (8.0 * pixel)), abs(halfAngle) / 0.5);
   int n = clamp(int(ceil(segments)), 1, kMostSegments);
-  float height = 0.5 * f.chord * arc.bulge;
   bool tight = radius < 2.0 * margin || (abs(arc.bulge) > 1.0 && f.chord < 4.0 * margin);
   if (tight || abs(height) < 4.0 * pixel || n == 1) {
-    float x = (abs(arc.bulge) > 1.0 ? radius : 0.5 * f.chord) + margin;
+    float x = reach + margin;
     vec2 low = (min(height, 0.0) - margin) * f.left;
     vec2 high = (max(height, 0.0) + margin) * f.left;
     vertexAt(f.apex - x * f.along + low, 0.0);

@@ -115,18 +115,23 @@ def show(data, view, **properties):
     return display
 
 
-def picture(view):
-    """What the view shows: rows from the bottom, columns, red-green-blue, from 0 to 1."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "picture.png"
-        simple.SaveScreenshot(str(path), view, ImageResolution=list(view.ViewSize))
-        reader = vtkPNGReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-        image = reader.GetOutput()
+def read_picture(path):
+    """A .png file: rows from the bottom, columns, red-green-blue, from 0 to 1."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
     width, height, _ = image.GetDimensions()
     values = vtk_to_numpy(image.GetPointData().GetScalars())
     return values.reshape(height, width, -1)[:, :, :3] / 255
+
+
+def picture(view):
+    """What the view shows, as read_picture has it."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "picture.png"
+        simple.SaveScreenshot(str(path), view, ImageResolution=list(view.ViewSize))
+        return read_picture(path)
 
 
 def darkness(view):

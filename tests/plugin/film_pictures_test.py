@@ -181,6 +181,34 @@ class FilmPictures(unittest.TestCase):
         clear = np.abs(r - 0.3 / ROOT3) > 0.01
         self.assertLess(np.abs(darkness(view) - expected)[clear].max(), 0.08)
 
+    def test_borders_on_a_wall_have_two_sides(self):
+        """A film at right angles to a wall: a side on either side of it, and none on the wall's back."""
+        arcs = [((0, 0), (-1, 0), 0.0), ((0, 0), (1, 0), 0.0), ((0, 0), (0, 1), 0.0)]
+        view = view_of(scale=0.3)
+        show(polylines(arcs), view, FilmWidth=2, BorderRadius=0.2)
+        x, y = pixel_centres(view)
+        films = distance_to(view, arcs)
+        gas = (0.2 - np.hypot(np.abs(x) - 0.2, y - 0.2)) / pixel_size(view)
+        inside = (np.abs(x) < 0.2) & (y > 0) & (y < 0.2)
+        expected = np.where(inside, np.clip(1.5 - np.minimum(films, gas), 0, 1), coverage(films, 2))
+        self.assertLess(np.abs(darkness(view) - expected).max(), 0.08)
+
+    def test_two_sided_bubble_is_wet_at_both_ends(self):
+        """A lens on a film: as much liquid at either end, above and below, and the lens stays open."""
+        half_angle = math.radians(60)
+        arcs = [((-1.5, 0), (-0.5, 0), 0.0), ((-0.5, 0), (0.5, 0), half_angle),
+                ((-0.5, 0), (0.5, 0), -half_angle), ((0.5, 0), (1.5, 0), 0.0)]
+        view = view_of(scale=1)
+        display = show(polylines(arcs), view, FilmWidth=2)
+        dry = darkness(view)
+        display.BorderRadius = 0.15
+        wet = darkness(view)
+        self.assertLess(np.abs(wet - wet[::-1]).max(), 0.03)
+        self.assertLess(np.abs(wet - wet[:, ::-1]).max(), 0.03)
+        extra = (wet - dry)[:, :200].sum() * pixel_size(view) ** 2
+        self.assertAlmostEqual(extra / (0.15**2 * (ROOT3 - math.pi / 2)), 1, delta=0.3)
+        self.assertEqual(wet[180:220, 180:220].max(), 0)
+
     def test_borders_of_bent_films_hold_together(self):
         """A double bubble's borders: darkness is one piece, as thick as a film at the borders' tips."""
         view = view_of(scale=0.3, centre=(0, -ROOT3 / 2))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FilmMapperHelper.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <vtk_glew.h>
@@ -88,12 +89,15 @@ std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
     z_ = reading.z;
     append_films(reading.films, origin_, this->BorderRadius, texels);
   }
-  const auto count = static_cast<GLint>(texels.size() / 4);
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  if (most < count) {
-    return "OpenGL here has buffers of " + std::to_string(most) + " texels, and they need " +
-           std::to_string(count);
+  constexpr std::size_t kMostFilms = 1 << 23; // whose ends have numbers that a float can hold
+  const std::size_t count = texels.size() / 4;
+  const auto per_film = static_cast<std::size_t>(texels_per_film(this->BorderRadius));
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+  const std::size_t most = std::min(kMostFilms, static_cast<std::size_t>(largest) / per_film);
+  if (count / per_film > most) {
+    return "there are " + std::to_string(count / per_film) + " of them, and OpenGL here can hold " +
+           std::to_string(most);
   }
   if (count > 0) {
     buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);

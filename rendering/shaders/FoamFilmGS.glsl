@@ -1,5 +1,5 @@
-//VTK::System::Dec
 // SPDX-License-Identifier: GPL-3.0-or-later
+//VTK::System::Dec
 //
 // Puts a ribbon around each film that covers all of its pixels. How smooth the ribbon is does not
 // matter: the fragment shader knows how far each pixel is from the arc. A ribbon never lies over

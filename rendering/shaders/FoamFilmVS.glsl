@@ -1,5 +1,5 @@
-//VTK::System::Dec
 // SPDX-License-Identifier: GPL-3.0-or-later
+//VTK::System::Dec
 //
 // A film is a line of two vertices. What is known of it stands in a buffer: here it only gets its
 // number there.

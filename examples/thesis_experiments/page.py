@@ -34,22 +34,20 @@ def write(path, folder):
             parts.append(sections.evolution(experiment, found, figures))
     distance = results.read(folder, experiments.DISTANCE)
     if distance:
-        parts.append(sections.distance(distance, skipped(folder, experiments.DISTANCE), figures))
+        parts.append(sections.distance(distance, without_results(folder, experiments.DISTANCE, distance), figures))
     algorithms = results.read(folder, experiments.ALGORITHMS)
     if algorithms:
         parts.append(sections.algorithms(algorithms))
     results.write_whole(path, lambda unfinished: unfinished.write_text(wrapped("\n\n".join(parts)) + "\n"))
 
 
-def skipped(folder, experiment):
-    """The statuses of the runs that were not run."""
+def without_results(folder, experiment, found):
+    """The statuses of the runs that were not run, or went wrong before their first frame was there."""
     statuses = {}
     for run in experiment.runs:
         about = folder / experiment.name / f"{run.name}.json"
-        if about.exists():
-            status = json.loads(about.read_text())["status"]
-            if status.startswith("skipped"):
-                statuses[run.method.label] = status
+        if run.name not in found and about.exists():
+            statuses[run.method.label] = json.loads(about.read_text())["status"]
     return statuses
 
 

@@ -208,7 +208,7 @@ def median(result, column):
     return np.median(values) if len(values) else np.nan
 
 
-def distance(found, skipped, folder):
+def distance(found, missing, folder):
     plots.plot_distance(found, folder / "distance.png")
     header = ["", *(result.about["label"] for result in found.values())]
     quantities = [
@@ -227,7 +227,7 @@ def distance(found, skipped, folder):
         ("wall time per frame / s", lambda r: r.frames["WallSeconds"].mean()),
     ]
     first = next(iter(found.values()))
-    notes = "".join(f"\n\n*{label}* is missing: {status}." for label, status in skipped.items())
+    notes = "".join(f"\n\n*{label}* is missing: {status}." for label, status in missing.items())
     statuses = ", ".join(f"{result.about['label']}: {result.about['status']}" for result in found.values())
     caption = ("Mean (filled) and largest (open) error of each method: medians and ranges over the examined frames. "
                "Excess energies are absolute values.")

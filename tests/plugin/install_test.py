@@ -57,12 +57,12 @@ class Install(unittest.TestCase):
         self.assertEqual(done.stdout.splitlines()[-1:], ["30 bubbles"], done.stderr)
 
     def test_python(self):
-        package = self.only("__init__.py").parent
+        package = self.only("foam/__init__.py").parent
         done = self.run_script([os.environ["FOAM_PYTHON"]], IN_PYTHON, PYTHONPATH=str(package.parent))
         self.assertEqual(done.stdout, "30 bubbles\n", done.stderr)
 
     def test_another_vtk(self):
-        package = self.only("__init__.py").parent
+        package = self.only("foam/__init__.py").parent
         done = self.run_script([os.environ["FOAM_PYTHON"]], IN_ANOTHER_VTK, PYTHONPATH=str(package.parent))
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"ImportError: foam is built for VTK 9\.\d+, but .* VTK 8\.1")

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Times the core beside Surface Evolver, in one run on one core, and writes the figures and a page.
+
+    /usr/bin/python3 benchmarks/compare.py build/release/benchmarks/foam_benchmark --output output/benchmarks
+    /usr/bin/python3 benchmarks/compare.py … --quick              a minute: small foams, figures printed alone
+    /usr/bin/python3 benchmarks/compare.py … --page docs/benchmarks/README.md    the page from figures that are there
+
+Both start from the same foam, which foam_benchmark writes as a Surface Evolver file. Processor time is compared, and
+everything but what is said to use all cores is bound to one. Surface Evolver is Debian's package evolver; without it
+its columns stay empty.
+"""
+import argparse
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import benchmark_page
+
+HERE = Path(__file__).resolve().parent
+CORES = os.sched_getaffinity(0)
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="compare.py", description="Times the core beside Surface Evolver.")
+    parser.add_argument("program", type=Path, help="foam_benchmark, built with optimisation")
+    parser.add_argument("--output", type=Path, default=Path("output/benchmarks"), help="folder for the figures")
+    parser.add_argument("--quick", action="store_true", help="small foams only")
+    parser.add_argument("--page", type=Path, metavar="FILE", help="write the page to FILE and measure nothing")
+    return parser.parse_args()
+
+
+class Measurement:
+    """Runs the two programs and keeps what they print, as soon as it is there."""
+
+    def __init__(self, program, output):
+        self.program = program.resolve()
+        self.output = output
+        self.output.mkdir(parents=True, exist_ok=True)
+        self.figures = {"machine": machine(), "foam": [], "evolver": []}
+
+    def foam(self, *arguments, cores=1):
+        os.sched_setaffinity(0, CORES if cores > 1 else {min(CORES)})
+        text = subprocess.run([self.program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+        for line in text.splitlines():
+            self.keep("foam", json.loads(line) | {"cores": cores})
+
+    def evolver(self, work, bubbles, start, scripts):
+        """Runs Surface Evolver's scripts; the last prints its processor time as 'cpu' or 'per step'."""
+        if not shutil.which("evolver"):
+            return
+        os.sched_setaffinity(0, {min(CORES)})
+        commands = "".join((HERE / "evolver" / script).read_text() for script in scripts)
+        if not commands.rstrip().endswith("quit"):
+            commands += "quit\n"
+        script = self.output / "evolver.cmd"
+        script.write_text(commands)
+        text = subprocess.run(["evolver", f"-f{script}", start], check=True, capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL).stdout
+        energy = re.findall(r"E ([\d.]+)", text)[-1]
+        seconds = re.search(r"per step ([\d.]+)" if work == "steps" else r"FINAL .* cpu ([\d.]+)", text)[1]
+        self.keep("evolver", {"work": work, "bubbles": bubbles, "cpu": float(seconds), "length": float(energy)})
+
+    def keep(self, program, figures):
+        print(program, json.dumps(figures), flush=True)
+        self.figures[program].append(figures)
+        (self.output / "figures.json").write_text(json.dumps(self.figures, indent=1))
+
+
+def machine():
+    model = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
+    return f"{model[1] if model else platform.processor()}, {len(CORES)} cores"
+
+
+def measure(measurement, quick):
+    start = measurement.output / "start.fe"
+    for bubbles in (100, 1000) if quick else (100, 300, 1000, 3000, 10000):
+        measurement.foam("equilibrium", bubbles, start)
+        measurement.evolver("equilibrium", bubbles, start, ["relax.cmd"])
+        if bubbles in (100, 1000):
+            measurement.foam("steps", bubbles, 50)
+            if not quick or bubbles == 100:
+                measurement.evolver("steps", bubbles, start, ["relax.cmd", "coarsen.cmd"])
+    if quick:
+        measurement.foam("frames", 2000, 10, 1e-6)
+        return
+    for bubbles in (30000, 100000):
+        measurement.foam("equilibrium", bubbles)
+    for bubbles in (100, 300, 1000, 3000, 10000, 30000, 100000):
+        measurement.foam("frames", bubbles, 100 if bubbles <= 10000 else 10, 1e-6)
+    measurement.foam("frames", 10000, 100, 1e-6, cores=len(CORES))
+    measurement.foam("thesis")
+    measurement.foam("build", 1000000)
+    measurement.foam("frames", 100000, 100, 1e-6, cores=len(CORES))
+
+
+def main():
+    arguments = parse_arguments()
+    if not arguments.page:
+        measure(Measurement(arguments.program, arguments.output), arguments.quick)
+    if arguments.page:
+        benchmark_page.write(arguments.page, json.loads((arguments.output / "figures.json").read_text()))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"compare.py: {error}")

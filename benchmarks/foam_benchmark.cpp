@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Times pieces of work of the core. Each prints one line of JSON; compare.py puts them beside
+// Surface Evolver's.
+//
+//   foam_benchmark equilibrium N [FILE.fe]   a periodic foam from random points, brought to
+//                                            equilibrium; the start also as a Surface Evolver file
+//   foam_benchmark steps N COUNT             such a foam coarsened, areas + 0.01(n − 6) at mean
+//   area 1 foam_benchmark frames N COUNT TOLERANCE  a periodic foam of the thesis's scale,
+//   coarsened with its
+//                                            constants
+//   foam_benchmark thesis                    the thesis's test: 2,000 bubbles, 1,000 frames
+//   foam_benchmark build N                   a mesh from N random points
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "build/from_points.h"
+#include "build/jittered_grid.h"
+#include "evolution/coarsening.h"
+#include "evolution/diffusion.h"
+
+namespace {
+
+using namespace foam;
+
+/// Processor and wall-clock time since it was made, s.
+class Stopwatch {
+public:
+  double cpu() const { return processor() - cpu_; }
+  double wall() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+  }
+
+private:
+  static double processor() {
+    std::timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+
+  double cpu_ = processor();
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+};
+
+/// One line of JSON.
+class Record {
+public:
+  explicit Record(const std::string& work) { text_ << "{\"work\": \"" << work << '"'; }
+  template <class Value> Record& add(const char* name, Value value) {
+    text_ << ", \"" << name << "\": " << value;
+    return *this;
+  }
+  void print() { std::cout << text_.str() << "}" << std::endl; }
+
+private:
+  std::ostringstream text_;
+};
+
+double peak_memory_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::vector<Vec2> random_points(Index count, double side) {
+  std::mt19937_64 generator(1);
+  std::vector<Vec2> points(Foam::size(count));
+  for (Vec2& p : points) {
+    p.x = side * static_cast<double>(generator() >> 11) * 0x1p-53;
+    p.y = side * static_cast<double>(generator() >> 11) * 0x1p-53;
+  }
+  return points;
+}
+
+/// A periodic foam of random points at mean area 1, its target areas half-way between those of the
+/// initial mesh and the mean; not in equilibrium.
+Foam random_foam(Index bubbles) {
+  const double side = std::sqrt(bubbles);
+  BuildOptions options;
+  options.boundary = Boundary::Periodic;
+  options.periodic_box = Box{0, side, 0, side};
+  Foam foam = build_from_points(random_points(bubbles, side), options);
+  for (double& area : foam.target_area) {
+    area = 0.5 * (area + 1);
+  }
+  return foam;
+}
+
+/// In the format of Surface Evolver's data files (K. A. Brakke, Surface Evolver Manual, ch. 5).
+void write_evolver_file(const Foam& foam, const std::string& path) {
+  std::ofstream file(path);
+  file.precision(17);
+  file << "STRING\nSPACE_DIMENSION 2\nTORUS_FILLED\nPERIODS\n"
+       << foam.box.width() << " 0\n0 " << foam.box.height()
+       << "\nlength_method_name \"circular_arc_length\"\narea_method_name \"circular_arc_area\""
+       << "\nVERTICES\n";
+  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+    const Vec2 p = foam.position[Foam::size(j)];
+    file << j + 1 << ' ' << p.x << ' ' << p.y << '\n';
+  }
+  const auto wrap = [](Index periods) { return periods == 0 ? '*' : (periods > 0 ? '+' : '-'); };
+  file << "EDGES\n";
+  for (Index f = 0; f < foam.film_capacity(); ++f) {
+    const Wrap w = foam.wrap(2 * f);
+    file << f + 1 << ' ' << foam.start(2 * f) + 1 << ' ' << foam.end(2 * f) + 1 << ' ' << wrap(w.x)
+         << ' ' << wrap(w.y) << '\n';
+  }
+  file << "FACES\n";
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    file << b + 1;
+    for_each_half(foam, b,
+                  [&](Index h) { file << ' ' << (h % 2 == 0 ? 1 : -1) * (Foam::film_of(h) + 1); });
+    file << '\n';
+  }
+  file << "BODIES\n";
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    file << b + 1 << ' ' << b + 1 << " volume " << foam.target_area[Foam::size(b)] << '\n';
+  }
+}
+
+void time_equilibrium(Index bubbles, const std::string& evolver_file) {
+  Foam foam = random_foam(bubbles);
+  if (!evolver_file.empty()) {
+    write_evolver_file(foam, evolver_file);
+  }
+  const Stopwatch watch;
+  const EquilibriumReport report = make_equilibrator({})->equilibrate(foam, 0.1, {});
+  Record("equilibrium")
+      .add("bubbles", bubbles)
+      .add("cpu", watch.cpu())
+      .add("wall", watch.wall())
+      .add("iterations", report.iterations)
+      .add("t1", foam.t1_count)
+      .add("residual", report.residual)
+      .add("length", foam.energy() / (2 * foam.surface_tension))
+      .add("unconverged", report.converged ? 0 : 1)
+      .add("memory_mib", peak_memory_mib())
+      .print();
+}
+
+/// Advances a foam and prints what a frame took.
+void time_frames(const std::string& work, Foam foam, const CoarseningOptions& options, int count,
+                 const Stopwatch& whole) {
+  const Index bubbles = foam.bubble_count();
+  auto coarsening = make_coarsening(options);
+  coarsening->restart(std::move(foam));
+  const Stopwatch watch;
+  double residual = 0;
+  int unconverged = 0;
+  int frames = 0;
+  while (frames < count && coarsening->advance({})) {
+    ++frames;
+    residual = std::max(residual, coarsening->foam().report.residual);
+    unconverged += coarsening->foam().report.converged ? 0 : 1;
+  }
+  const double per_frame = 1.0 / std::max(frames, 1);
+  Record(work)
+      .add("bubbles", bubbles)
+      .add("frames", frames)
+      .add("cpu_per_frame", watch.cpu() * per_frame)
+      .add("wall_per_frame", watch.wall() * per_frame)
+      .add("cpu_in_all", whole.cpu())
+      .add("wall_in_all", whole.wall())
+      .add("bubbles_left", coarsening->foam().bubble_count())
+      .add("t1", coarsening->foam().t1_count)
+      .add("t2", coarsening->foam().t2_count)
+      .add("residual", residual)
+      .add("unconverged", unconverged)
+      .add("memory_mib", peak_memory_mib())
+      .print();
+}
+
+void time_steps(Index bubbles, int count) {
+  const Stopwatch whole;
+  Foam foam = random_foam(bubbles);
+  make_equilibrator({})->equilibrate(foam, 0.1, {});
+  CoarseningOptions options;
+  options.time_step = 1;
+  options.permeability = 0.01 / von_neumann_constant(foam.surface_tension, 1);
+  options.thresholds.t1_length = 0.1;
+  options.thresholds.t2_area = 0.05;
+  time_frames("steps", std::move(foam), options, count, whole);
+}
+
+/// The thesis's constants (its Figure 4.19) at the scale of its large foams.
+void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundary, int count,
+                        double tolerance) {
+  constexpr double kSpacing = 4.4; // cm
+  const Stopwatch whole;
+  BuildOptions build;
+  build.boundary = boundary;
+  if (boundary == Boundary::Periodic) {
+    const double side = kSpacing * std::ceil(std::sqrt(bubbles));
+    build.periodic_box = Box{0, side, 0, side};
+  }
+  Foam foam = build_from_points(jittered_grid(bubbles, kSpacing, 1, 1), build);
+  CoarseningOptions options;
+  options.equilibrator.tolerance = tolerance;
+  make_equilibrator(options.equilibrator)->equilibrate(foam, options.thresholds.t1_length, {});
+  time_frames(work, std::move(foam), options, count, whole);
+}
+
+void time_build(Index points) {
+  for (const Boundary boundary : {Boundary::Free, Boundary::Periodic}) {
+    const double side = std::sqrt(points);
+    const std::vector<Vec2> where = random_points(points, side);
+    BuildOptions options;
+    options.boundary = boundary;
+    options.periodic_box = Box{0, side, 0, side};
+    const Stopwatch watch;
+    const Foam foam = build_from_points(where, options);
+    Record(boundary == Boundary::Free ? "build_free" : "build_periodic")
+        .add("bubbles", foam.bubble_count())
+        .add("cpu", watch.cpu())
+        .add("wall", watch.wall())
+        .add("memory_mib", peak_memory_mib())
+        .print();
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto number = [&](std::size_t i) { return std::stod(arguments.at(i)); };
+  const auto count = [&](std::size_t i) { return static_cast<Index>(number(i)); };
+  try {
+    const std::string work = arguments.at(0);
+    if (work == "equilibrium") {
+      time_equilibrium(count(1), arguments.size() > 2 ? arguments[2] : "");
+    } else if (work == "steps") {
+      time_steps(count(1), count(2));
+    } else if (work == "frames") {
+      time_thesis_frames(work, count(1), Boundary::Periodic, count(2), number(3));
+    } else if (work == "thesis") {
+      time_thesis_frames(work, 2000, Boundary::Free, 1000, 1e-9);
+    } else if (work == "build") {
+      time_build(count(1));
+    } else {
+      throw std::invalid_argument("there is no work named " + work);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "foam_benchmark: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -104,8 +104,9 @@ def write(path, figures):
                for f in figures["foam"] if f["work"] == "equilibrium" and f["bubbles"] == e["bubbles"]]
     path.write_text(f"""# How fast it is
 
-Every figure on this page was measured in one run of `benchmarks/compare.py`, on {figures["machine"]}; make the page
-anew with
+Every figure on this page was measured in one run of `benchmarks/compare.py`, on {figures["machine"]}, which had a load
+average of {figures["load"]:.1f} from other work when it began (other work on the same cores makes both programs slower).
+Make the page anew with
 
     scripts/benchmark
 

@@ -41,7 +41,7 @@ class Measurement:
         self.program = program.resolve()
         self.output = output
         self.output.mkdir(parents=True, exist_ok=True)
-        self.figures = {"machine": machine(), "foam": [], "evolver": []}
+        self.figures = {"machine": machine(), "load": os.getloadavg()[0], "foam": [], "evolver": []}
 
     def foam(self, *arguments, cores=1):
         os.sched_setaffinity(0, CORES if cores > 1 else {min(CORES)})

@@ -15,7 +15,6 @@ constexpr double kKeepBelow = 0.2;     // angles that are kept from the start
 constexpr double kEliminateTo = 0.1;   // an eliminated one must not fall below this
 constexpr double kLargestGrowth = 0.5; // of a bubble's area that one step asks for
 constexpr int kRefinements = 10;
-constexpr double kRefined = 1e-10; // relative size of the last correction
 constexpr double kRegularisation = 1e-8;
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
@@ -29,6 +28,7 @@ double Residual::largest() const {
 LagrangianSystem::LagrangianSystem() : solver_(make_sparse_solver()) {}
 
 void LagrangianSystem::reset() {
+  last_response_.clear();
   ready_ = false;
   factorised_ = false;
   last_shift_ = 0;
@@ -61,6 +61,7 @@ void LagrangianSystem::renumber(const Foam& foam) {
   build_pattern();
   analysed_ = false;
   factorised_ = false;
+  last_response_.clear();
 }
 
 void LagrangianSystem::number_unknowns(const Foam& foam) {
@@ -285,7 +286,7 @@ const Step& LagrangianSystem::newton_step(const Foam& foam) {
 }
 
 const Step* LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate,
-                                       bool refined) {
+                                       double accuracy) {
   if (!factorised_) {
     return nullptr;
   }
@@ -304,7 +305,8 @@ const Step* LagrangianSystem::response(const Foam& foam, const std::vector<doubl
     }
     return largest;
   };
-  rhs_.assign(load.size(), 0.0);
+  rhs_ = last_response_;
+  rhs_.resize(load.size(), 0.0);
   bool done = false;
   for (int k = 0; k < kRefinements && !done; ++k) {
     std::vector<double> correction = load;
@@ -312,11 +314,13 @@ const Step* LagrangianSystem::response(const Foam& foam, const std::vector<doubl
     solver_->solve(correction);
     remove_rigid_motion(foam, correction);
     std::ranges::transform(rhs_, correction, rhs_.begin(), std::plus<>());
-    done = speed(correction) <= kRefined * speed(rhs_);
+    done = speed(correction) <= accuracy * speed(rhs_);
   }
-  if (refined && !done) {
+  if (!done && accuracy < kAnyAccuracy) {
+    last_response_.clear();
     return nullptr;
   }
+  last_response_ = rhs_;
   angle_gradient_.assign(region_.films.size(), 0.0);
   extract(foam, response_);
   return &response_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,10 +65,11 @@ public:
 
   /// How the equilibrium moves per unit of time while target areas change at the given rates
   /// (cm²/s, by bubble), to first order. The last factorise() serves, be it of another state of the
-  /// same topology: what it lacks is made up for by iterative refinement, so that the result is
-  /// that of the present state. \returns nothing if it does not serve; if `refined` is not asked
-  /// for, what there is.
-  const Step* response(const Foam& foam, const std::vector<double>& area_rate, bool refined);
+  /// same topology: what it lacks is made up for by iterative refinement, which begins with the
+  /// last response, so that the result is that of the present state to the given accuracy (relative
+  /// size of the last correction). \returns nothing if that is not reached; kAnyAccuracy always is.
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate, double accuracy);
+  static constexpr double kAnyAccuracy = std::numeric_limits<double>::infinity();
 
   /// How a step changes the chord of a film, cm.
   Vec2 chord_change(const Foam& foam, Index film, const Step& step) const;
@@ -117,6 +119,7 @@ private:
   std::vector<Condensed> condensed_; ///< what eliminate_angle() needs again to find α
   Step step_;
   Step response_;
+  std::vector<double> last_response_; ///< of the unknowns; empty if there was none
 };
 
 } // namespace foam

@@ -111,10 +111,10 @@ const Step* NewtonEquilibrator::patch_response(const Foam& foam,
 }
 
 const Step* NewtonEquilibrator::response(LagrangianSystem& system, const Foam& foam,
-                                         const std::vector<double>& area_rate) {
-  const Step* step = system.response(foam, area_rate, true);
+                                         const std::vector<double>& area_rate) const {
+  const Step* step = system.response(foam, area_rate, options_.tolerance);
   if (step == nullptr && system.factorise(foam, kAnyEquilibrium)) {
-    step = system.response(foam, area_rate, false);
+    step = system.response(foam, area_rate, LagrangianSystem::kAnyAccuracy);
   }
   return step;
 }

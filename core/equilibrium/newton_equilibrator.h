@@ -47,8 +47,8 @@ public:
   const Region& patch_region() const { return patch_.region(); }
 
 private:
-  static const Step* response(LagrangianSystem& system, const Foam& foam,
-                              const std::vector<double>& area_rate);
+  const Step* response(LagrangianSystem& system, const Foam& foam,
+                       const std::vector<double>& area_rate) const;
 
   struct Outcome {
     bool converged = false;

@@ -11,7 +11,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index>;
 
-constexpr double kAccuracy = 1e-3;
+constexpr double kBackwardError = 1e-10; // of a factorisation that serves
 
 /// LDLᵀ without pivoting. The matrices of a foam near equilibrium are quasi-definite up to the
 /// delicate unknowns, and those come last.
@@ -39,7 +39,7 @@ public:
     permuted_.selfadjointView<Eigen::Lower>() =
         Matrix(lower).selfadjointView<Eigen::Lower>().twistedBy(order_);
     ldlt_.factorize(permuted_);
-    if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite() || !accurate()) {
+    if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite() || !accurate(lower)) {
       return -1;
     }
     return static_cast<Index>((ldlt_.vectorD().array() < 0).count());
@@ -52,12 +52,18 @@ public:
   }
 
 private:
-  /// Whether small pivots have left enough digits: solves for what is known.
-  bool accurate() const {
-    const Eigen::VectorXd known = Eigen::VectorXd::Ones(permuted_.rows());
-    const Eigen::VectorXd found =
-        ldlt_.solve(Eigen::VectorXd(permuted_.selfadjointView<Eigen::Lower>() * known));
-    return (found - known).cwiseAbs().maxCoeff() < kAccuracy;
+  /// Whether small pivots have left enough digits: the backward error of one solution (N. J.
+  /// Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002, ch. 7).
+  bool accurate(const Eigen::Map<const Matrix>& lower) {
+    const Eigen::VectorXd load =
+        Eigen::VectorXd::LinSpaced(lower.rows(), 1, static_cast<double>(lower.rows()))
+            .array()
+            .sin();
+    Eigen::VectorXd solution = load;
+    solve({solution.data(), static_cast<std::size_t>(solution.size())});
+    const Eigen::VectorXd rest = load - lower.selfadjointView<Eigen::Lower>() * solution;
+    const double scale = lower.coeffs().cwiseAbs().maxCoeff() * solution.cwiseAbs().maxCoeff();
+    return rest.cwiseAbs().maxCoeff() < kBackwardError * scale;
   }
 
   /// Approximate minimum degree on the leading unknowns, the rest as they stand.

@@ -96,8 +96,8 @@ private:
   double move(Index junction) {
     const auto& halves = foam_.junction_half[Foam::size(junction)];
     std::array<Vec2, 3> chord;
-    std::array<double, 3> bulge; // segment area over d², on the left bubble's account
-    std::array<Index, 3> bubble; // left of halves[k]: between it and the next
+    std::array<double, 3> bulge{}; // segment area over d², on the left bubble's account
+    std::array<Index, 3> bubble{}; // left of halves[k]: between it and the next
     Vec2 force;
     double stretch = 0;
     double shortest = std::numeric_limits<double>::infinity();
@@ -138,7 +138,7 @@ private:
       step = (kLargestMove * shortest / length) * step;
     }
     foam_.position[Foam::size(junction)] += step;
-    std::array<double, 3> bulge_change; // of the segments' areas
+    std::array<double, 3> bulge_change{}; // of the segments' areas
     for (std::size_t k = 0; k < 3; ++k) {
       bulge_change[k] = bulge[k] * dot(step, step - 2 * chord[k]);
     }

@@ -39,7 +39,7 @@ public:
 private:
   struct Entry {
     Event event;
-    std::uint32_t version;
+    std::uint32_t version = 0;
     bool operator<(const Entry& other) const; ///< comes later
   };
   std::uint32_t& version(const Event& event);

@@ -58,6 +58,8 @@ class Result:
 
     def __init__(self, folder, run_name):
         self.about = json.loads((folder / f"{run_name}.json").read_text())
+        if self.about["status"] == "running":
+            self.about["status"] = "still running, or stopped, when the page was written"
         self.frames = columns(folder / f"{run_name}.csv")
         quality = folder / f"{run_name}.quality.csv"
         self.quality = columns(quality) if quality.exists() else {}

@@ -16,23 +16,15 @@ Units: the simulation's constants are in centimetres and seconds, the measured p
 points are scaled so that the mean measured bubble area becomes 1 cm².
 """
 import argparse
-import csv
 import math
 import os
 import sys
 import time
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
-from paraview.simple import *
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-ROOT = Path(__file__).resolve().parent.parent
+from foam_plugin import *
 
 # Bubbles by number of sides: blue ones shrink, orange ones grow, six sides keep their area.
 SIDE_COLOURS = {3: "#1f4e8c", 4: "#4f8fc9", 5: "#a9cfe8", 6: "#f3efe4",
@@ -63,64 +55,8 @@ def parse_arguments():
     return arguments
 
 
-def load_plugin():
-    """Makes the plugin's proxies known, unless `pvpython --plugins=Foam` has done so already."""
-    if "FoamFromPoints" in globals():
-        return
-    named = os.environ.get("FOAM_PLUGIN")
-    built = sorted(ROOT.glob("build/*/lib/paraview-*/plugins/Foam/Foam.so"),
-                   key=lambda path: path.stat().st_mtime)
-    if named and not Path(named).is_file():
-        sys.exit(f"There is no plugin at FOAM_PLUGIN={named}")
-    if not named and not built:
-        sys.exit("The plugin is not built: run scripts/run, or name its Foam.so in FOAM_PLUGIN")
-    LoadPlugin(str(named or built[-1]), remote=False, ns=globals())
-
-
-def mean_measured_area(path):
-    """Checks the input and returns the mean of its areas."""
-    try:
-        with open(path, newline="") as file:
-            rows = list(csv.DictReader(file))
-        columns = rows[0].keys() if rows else []
-        for column in ("x", "y", "area"):
-            if column not in columns:
-                sys.exit(f"{path} has no column '{column}'")
-        mean = float(np.mean([float(row["area"]) for row in rows]))
-        if not 0 < mean < math.inf:
-            sys.exit(f"The mean area in {path} is {mean}; it must be greater than 0")
-        return mean
-    except OSError as error:
-        sys.exit(f"Cannot read {path}: {error.strerror}")
-    except (TypeError, ValueError) as error:
-        sys.exit(f"{path} is not a table of numbers: {error}")
-
-
-def foam_of_measured_points(path):
-    """The pipeline from the table to a foam in equilibrium."""
-    scale = 1 / math.sqrt(mean_measured_area(path))  # cm per pixel
-    table = CSVReader(FileName=[str(path)])
-    points = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="x", a2DPoints=1)
-    areas = Calculator(Input=points, ResultArrayName="target_area", Function=f"area*{scale**2!r}")
-    scaled = Calculator(Input=areas, CoordinateResults=1, Function=f"coords*{scale!r}")
-    return FoamFromPoints(Input=scaled, Boundary="Free",
-                          TargetAreas="Array", TargetAreaArray="target_area")
-
-
 def output_of(proxy, port=0):
     return proxy.GetClientSideObject().GetOutputDataObject(port)
-
-
-def columns_of(table):
-    return {table.GetColumnName(i): vtk_to_numpy(table.GetColumn(i)).copy()
-            for i in range(table.GetNumberOfColumns())}
-
-
-def first_row(statistics):
-    table = output_of(statistics)
-    if table.GetNumberOfRows() == 0:
-        sys.exit("No statistics of this foam: see the message above")
-    return {name: values[0] for name, values in columns_of(table).items()}
 
 
 def field_value(data, name):
@@ -289,16 +225,9 @@ def plot_aboav_weaire(folder, snapshots):
     save_plot(figure, axes, folder / "aboav_weaire.png")
 
 
-def write_statistics(path, rows):
-    with open(path, "w", newline="") as file:
-        writer = csv.DictWriter(file, fieldnames=rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
-
-
 def coarsen_foam(arguments):
     folder = arguments.output
-    foam = foam_of_measured_points(arguments.input)
+    foam, _ = foam_of_measured_points(arguments.input)
     coarsen = FoamCoarsen(Input=foam, NumberOfFrames=arguments.frames, TimeStep=arguments.time_step)
     bulk = FoamStatistics(Input=coarsen, IncludeBoundary=0)
     everything = FoamStatistics(Input=coarsen, IncludeBoundary=1)
@@ -326,15 +255,16 @@ def coarsen_foam(arguments):
         count = output_of(coarsen, 1).GetNumberOfCells()
         if not field_value(films, "Converged"):
             unconverged.append(frame)
-        rows.append({**first_row(bulk), "BubblesAll": count, "Mu2All": first_row(everything)["Mu2"]})
+        rows.append({**first_row(bulk, seconds), "BubblesAll": count,
+                     "Mu2All": first_row(everything, seconds)["Mu2"]})
         progress.report(frame, seconds, count, films)
 
         if frame in moments:
             camera = camera or Camera(coarsen)
             camera.picture(folder / f"foam_{moments[frame]}.png", seconds, count)
-            snapshots[moments[frame]] = (seconds, columns_of(output_of(bulk, 1)))
+            snapshots[moments[frame]] = (seconds, arrays(output_of(bulk, 1).GetRowData()))
 
-    write_whole(folder / "statistics.csv", lambda path: write_statistics(path, rows))
+    write_whole(folder / "statistics.csv", lambda path: write_table(path, rows))
     plot_over_time(folder, rows)
     plot_sides(folder, snapshots)
     plot_aboav_weaire(folder, snapshots)
@@ -348,7 +278,6 @@ def coarsen_foam(arguments):
 
 if __name__ == "__main__":
     arguments = parse_arguments()
-    load_plugin()
     try:
         coarsen_foam(arguments)
     except OSError as error:

@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The examples to be copied, in a quick form, and what they leave."""
+
+import csv
+import math
+import os
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import numpy
+from paraview import simple
+from PIL import Image
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints
+
+EXAMPLES = Path(os.environ["FOAM_EXAMPLES"])
+DATA = Path(os.environ["FOAM_TEST_DATA"])
+
+
+def run(name, *arguments):
+    return subprocess.run([os.environ["FOAM_PVPYTHON"], "--no-mpi", str(EXAMPLES / name), *map(str, arguments)],
+                          capture_output=True, text=True, check=False)
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def films_of(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def foam_of(count, **properties):
+    """The films of a foam of random points, as the filter that makes them."""
+    points, foam = vtkFoamPoints(), vtkFoamFromPoints()
+    points.SetNumberOfPoints(count)
+    foam.SetInputConnection(points.GetOutputPort())
+    for name, value in properties.items():
+        getattr(foam, "Set" + name)(value)
+    return foam
+
+
+class Example(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_example(self, name, *arguments):
+        process = run(name, *arguments, "--output", self.folder)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertNotIn("WARN", process.stderr)
+        return process.stdout
+
+
+class Short(unittest.TestCase):
+    def test_examples_are_short_enough_to_be_read(self):
+        for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture"):
+            self.assertLess(len((EXAMPLES / f"{name}.py").read_text().splitlines()), 60, name)
+
+
+class FilmAndContinue(Example):
+    def series(self):
+        frames = ElementTree.parse(self.folder / "films.pvd").findall("./Collection/DataSet")
+        return [float(f.get("timestep")) for f in frames], [self.folder / f.get("file") for f in frames]
+
+    def test_a_continued_run_is_as_one_that_did_not_stop(self):
+        """From a keyframe it has the same bits."""
+        words = self.run_example("film.py", "--bubbles", 40, "--frames", 10)
+        self.assertIn("40 bubbles at first", words)
+        self.assertEqual((self.folder / "film.ogv").read_bytes()[:4], b"OggS")
+        with Image.open(self.folder / "last.png") as picture:
+            colours = numpy.unique(numpy.asarray(picture.convert("RGB")).reshape(-1, 3), axis=0)
+            self.assertGreater(len(colours), 20)
+        times, _ = self.series()
+        self.assertEqual(len(times), 11)
+
+        self.run_example("continue_run.py", "--frames", 5)
+        times, files = self.series()
+        coarsen = vtkFoamCoarsen()
+        foam = foam_of(40)
+        coarsen.SetInputConnection(foam.GetOutputPort())
+        coarsen.SetNumberOfFrames(15)
+        self.assertEqual(len(times), 16)
+        for time, file in zip(times, files):
+            coarsen.UpdateTimeStep(time)
+            expected, found = coarsen.GetOutput(0), films_of(file)
+            for name in ("HalfAngle", "Length"):
+                self.assertEqual(*(vtk_to_numpy(films.GetCellData().GetArray(name)).tobytes()
+                                   for films in (expected, found)), (time, name))
+
+    def test_nothing_to_continue(self):
+        process = run("continue_run.py", "--output", self.folder)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn("films.pvd", process.stderr)
+
+
+class Clusters(Example):
+    def test_lengths_are_the_exact_ones(self):
+        self.run_example("clusters.py")
+        with open(DATA / "free_clusters_unit_area.csv", newline="") as file:
+            exact = {row["N"]: row["P_line_tension_1"] for row in csv.DictReader(file)}
+        rows = rows_of(self.folder / "clusters.csv")
+        self.assertEqual([row["Bubbles"] for row in rows], [2, 3, 4, 5, 6, 7])
+        for row in rows:
+            self.assertAlmostEqual(row["Length"], float(exact[f"{row['Bubbles']:.0f}"]), delta=1e-8)
+
+
+class ParameterStudy(Example):
+    def test_figures_are_those_of_the_foams(self):
+        self.run_example("parameter_study.py", "--jitter", 0.3, 0.9, "--bubbles", 60, "--frames", 3)
+        rows = rows_of(self.folder / "study.csv")
+        self.assertEqual([row["Jitter"] for row in rows], 4 * [0.3] + 4 * [0.9])
+        with Image.open(self.folder / "area_moments.png") as picture:
+            self.assertGreater(picture.width, 900)
+        self.assertLess(rows[0]["AreaSecondMoment"], rows[4]["AreaSecondMoment"])
+        for first, *later in (rows[:4], rows[4:]):
+            for row in later:  # nothing leaves a torus, and its Euler characteristic makes the mean six
+                self.assertAlmostEqual(row["MeanArea"] * row["Bubbles"], first["MeanArea"] * first["Bubbles"], places=6)
+                self.assertAlmostEqual(row["MeanSides"], 6, places=12)
+
+
+def shapes(bubbles):
+    """Centroid (cm) and area (cm²) of each bubble, from its outline."""
+    found = []
+    for i in range(bubbles.GetNumberOfCells()):
+        ids = bubbles.GetCell(i).GetPointIds()
+        x, y = vtk_to_numpy(bubbles.GetPoints().GetData())[[ids.GetId(k) for k in range(ids.GetNumberOfIds())], :2].T
+        cross = x * numpy.roll(y, -1) - numpy.roll(x, -1) * y
+        moments = [((c + numpy.roll(c, -1)) * cross).sum() / 3 for c in (x, y)]
+        found.append((*(moment / cross.sum() for moment in moments), cross.sum() / 2))
+    return numpy.array(found)
+
+
+def neighbours(films):
+    """Pairs of bubbles on the two sides of a film."""
+    sides = zip(*(vtk_to_numpy(films.GetCellData().GetArray(f"{side}Bubble")) for side in ("Left", "Right")))
+    return {tuple(sorted(pair)) for pair in sides if min(pair) >= 0}
+
+
+class Picture(Example):
+    """A foam is drawn, and the picture becomes a foam: is it the same, bubble by bubble?"""
+
+    PIXELS = 40  # per cm
+
+    def draw(self, films):
+        """Films in ink on white; returns where the lower left corner is."""
+        bounds = numpy.array(films.GetBounds()[:4]).reshape(2, 2)
+        size = numpy.ceil((bounds[:, 1] - bounds[:, 0] + 1) * self.PIXELS).astype(int)
+        centre = bounds.mean(axis=1)
+        view = simple.CreateRenderView(ViewSize=list(size), InteractionMode="2D", OrientationAxesVisibility=0,
+                                       UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                                       CameraPosition=[*centre, 10], CameraFocalPoint=[*centre, 0],
+                                       CameraParallelScale=size[1] / self.PIXELS / 2)
+        source = simple.TrivialProducer()
+        source.GetClientSideObject().SetOutput(films)
+        simple.Show(source, view, ColorArrayName=[None, ""], AmbientColor=[0, 0, 0], Ambient=1, Diffuse=0, LineWidth=2)
+        simple.SaveScreenshot(str(self.folder / "foam.png"), view)
+        self.addCleanup(simple.ResetSession)
+        return centre - size / self.PIXELS / 2
+
+    def test_round_trip(self):
+        points_to_foam = foam_of(60)
+        coarsen = vtkFoamCoarsen()
+        coarsen.SetInputConnection(points_to_foam.GetOutputPort())
+        coarsen.UpdateTimeStep(0.2)
+        films, drawn = coarsen.GetOutput(0), shapes(coarsen.GetOutput(1))
+        corner = self.draw(films)
+        self.run_example("foam_from_picture.py", "--picture", self.folder / "foam.png")
+
+        # What was measured in the picture is what was drawn: centroids to half a pixel, areas to the films' width.
+        seen = numpy.array([list(row.values()) for row in rows_of(self.folder / "bubbles.csv")])
+        scale = numpy.sqrt(seen[:, 2].mean()) / self.PIXELS
+        seen = seen / [self.PIXELS, self.PIXELS, self.PIXELS**2] + [*corner, 0]
+        self.assertEqual(len(seen), len(drawn))
+        distance = numpy.hypot(*(drawn[:, None, :2] - seen[None, :, :2]).transpose(2, 0, 1))
+        nearest = distance.argmin(axis=1)
+        self.assertEqual(len(set(nearest)), len(drawn))
+        self.assertLess(distance.min(axis=1).max(), 0.5 / self.PIXELS)
+        numpy.testing.assert_allclose(seen[nearest, 2], drawn[:, 2], rtol=0.05)
+
+        # The foam that comes of it is the foam that was drawn: neighbours, centroids, areas.
+        again = films_of(self.folder / "films.vtp")
+        number = dict(zip(vtk_to_numpy(films.GetFieldData().GetArray("BubbleId")), nearest))
+        self.assertEqual(neighbours(again), {tuple(sorted((number[a], number[b]))) for a, b in neighbours(films)})
+        coarsen = vtkFoamCoarsen()
+        coarsen.SetInputData(again)
+        coarsen.Update()
+        made = shapes(coarsen.GetOutput(1)) * [scale, scale, scale**2] + [*corner, 0]
+        numpy.testing.assert_allclose(made[nearest], drawn, atol=0.03)
+
+    def test_no_picture(self):
+        process = run("foam_from_picture.py", "--picture", self.folder / "none.png", "--output", self.folder)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn("none.png", process.stderr)
+        self.assertNotIn("Traceback", process.stderr)
+
+
+def tearDownModule():
+    simple.Disconnect()  # closes the view before Python ends
+
+
+if __name__ == "__main__":
+    unittest.main()

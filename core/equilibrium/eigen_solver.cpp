@@ -25,8 +25,8 @@ public:
                                          ones.data());
     order_ = elimination_order(lower, n - pattern.delicate);
     permuted_.resize(n, n);
-    permuted_.selfadjointView<Eigen::Lower>() =
-        Matrix(lower).selfadjointView<Eigen::Lower>().twistedBy(order_);
+    permuted_.selfadjointView<Eigen::Upper>() =
+        lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
     ldlt_.analyzePattern(permuted_);
     pattern_ = pattern;
   }
@@ -36,8 +36,8 @@ public:
     const Eigen::Map<const Matrix> lower(n, n, static_cast<Index>(pattern_.row.size()),
                                          pattern_.column_start.data(), pattern_.row.data(),
                                          values.data());
-    permuted_.selfadjointView<Eigen::Lower>() =
-        Matrix(lower).selfadjointView<Eigen::Lower>().twistedBy(order_);
+    permuted_.selfadjointView<Eigen::Upper>() =
+        lower.selfadjointView<Eigen::Lower>().twistedBy(order_);
     ldlt_.factorize(permuted_);
     if (ldlt_.info() != Eigen::Success || !ldlt_.vectorD().allFinite() || !accurate(lower)) {
       return -1;
@@ -84,7 +84,7 @@ private:
   SymmetricPattern pattern_;
   Permutation order_;
   Matrix permuted_;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<Index>> ldlt_;
+  Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<Index>> ldlt_;
 };
 
 } // namespace

@@ -22,7 +22,7 @@ constexpr double kFreeToTurnBelow =
     0.01; // residual from which on a free foam's rotation is told apart
 constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
 constexpr double kSmallestStep = 1e-4; // of a line search
-constexpr int kPatchRings = 2;
+constexpr int kPatchRings = 3;
 constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
 constexpr int kPatience = 24;            // iterations without progress close to the solution
 constexpr int kLargestSwapCount = 4;     // of one film in one call

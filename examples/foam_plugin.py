@@ -92,9 +92,17 @@ def add_arrays(attributes, given):
         attributes.AddArray(array)
 
 
+def rows_of(table):
+    """A table's rows as dictionaries."""
+    numbers = {name: column.tolist() for name, column in arrays(table.GetRowData()).items()}
+    columns = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
+    return [{name: numbers[name][i] if name in numbers else table.GetValueByName(i, name).ToString()
+             for name in columns} for i in range(table.GetNumberOfRows())]
+
+
 def first_row(proxy, time=None):
     """The figures in the only row of a table."""
-    return {name: column[0].item() for name, column in arrays(result(proxy, 0, time).GetRowData()).items()}
+    return rows_of(result(proxy, 0, time))[0]
 
 
 def polylines(data):

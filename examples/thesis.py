@@ -14,18 +14,8 @@ import argparse
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-
-
-def find_filters():
-    """Makes the filters' Python package, foam, known, unless PYTHONPATH does so already."""
-    built = sorted(ROOT.glob("build/*/lib/python/foam/vtkFoamFilters.so"), key=lambda path: path.stat().st_mtime)
-    if built:
-        sys.path.append(str(built[-1].parent.parent))
-    try:
-        import foam.vtkFoamFilters
-    except ImportError as error:
-        sys.exit(f"The filters are not built, or PYTHONPATH does not lead to them: {error}")
+import foam_filters  # lets Python find the filters
+from thesis_experiments import experiments, page, running
 
 
 def parse_arguments():
@@ -52,8 +42,6 @@ def names(experiment):
 
 def main():
     arguments = parse_arguments()
-    find_filters()
-    from thesis_experiments import experiments, page, running
 
     known = [name for experiment in experiments.ALL for name in names(experiment)]
     if arguments.list:

@@ -2,14 +2,12 @@
 #include "vtkFoamStatistics.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <numeric>
 #include <vector>
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -21,51 +19,13 @@
 #include "FilmReading.h"
 #include "MeasuredSides.h"
 #include "PipelineRequest.h"
+#include "StatisticsTables.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
 
 namespace {
 
 using foam::filters::add_column;
-
-/// Adds a column of one row.
-template <class Array, class Value> void AddCell(vtkTable* table, const char* name, Value value) {
-  add_column<Array>(table->GetRowData(), name, std::array{value}, [](Value v) { return v; });
-}
-
-void WriteSummary(const foam::Foam& foam, const foam::FoamStatistics& figures, vtkTable* table) {
-  AddCell<vtkDoubleArray>(table, "Time", foam.time);
-  AddCell<vtkIntArray>(table, "Bubbles", figures.bubbles);
-  AddCell<vtkDoubleArray>(table, "MeanSides", figures.mean_sides);
-  AddCell<vtkDoubleArray>(table, "Mu2", figures.mu2);
-  AddCell<vtkDoubleArray>(table, "MeanArea", figures.mean_area);
-  AddCell<vtkDoubleArray>(table, "AreaSecondMoment", figures.area_second_moment);
-  AddCell<vtkDoubleArray>(table, "Energy", figures.energy);
-  AddCell<vtkDoubleArray>(table, "AboavA", figures.aboav);
-  AddCell<vtkIdTypeArray>(table, "T1Count", foam.t1_count);
-  AddCell<vtkIdTypeArray>(table, "T2Count", foam.t2_count);
-  AddCell<vtkIdTypeArray>(table, "T3Count", foam.t3_count);
-  AddCell<vtkIntArray>(table, "Iterations", foam.report.iterations);
-  AddCell<vtkDoubleArray>(table, "MaxAngleError", foam.report.max_angle_error);
-  AddCell<vtkDoubleArray>(table, "MaxAreaError", foam.report.max_area_error);
-}
-
-void WriteBySides(const foam::FoamStatistics& figures, vtkTable* table) {
-  using Row = foam::SideStatistics;
-  const auto& rows = figures.by_sides;
-  vtkFieldData* data = table->GetRowData();
-  add_column<vtkIntArray>(data, "Sides", rows, [](const Row& r) { return r.sides; });
-  add_column<vtkIntArray>(data, "Count", rows, [](const Row& r) { return r.count; });
-  add_column<vtkDoubleArray>(data, "Fraction", rows, [](const Row& r) { return r.fraction; });
-  add_column<vtkDoubleArray>(data, "MeanNeighbourSides", rows,
-                             [](const Row& r) { return r.mean_neighbour_sides; });
-  add_column<vtkDoubleArray>(data, "AboavProduct", rows,
-                             [](const Row& r) { return r.sides * r.mean_neighbour_sides; });
-  add_column<vtkDoubleArray>(data, "AboavIdeal", rows,
-                             [](const Row& r) { return 5 * r.sides + 7.4; });
-  add_column<vtkDoubleArray>(data, "MeanArea", rows,
-                             [](const Row& r) { return r.mean_relative_area; });
-}
 
 /// A row for every number of sides from the fewest to the most that occur here or were measured.
 void WriteDistribution(const foam::FoamStatistics& figures, vtkTable* table) {
@@ -116,8 +76,8 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
   try {
     const auto foam = foam::filters::read_foam(vtkPolyData::GetData(inputs[0]));
     const auto figures = foam::statistics(foam, this->IncludeBoundary);
-    WriteSummary(foam, figures, vtkTable::GetData(outputs, 0));
-    WriteBySides(figures, vtkTable::GetData(outputs, 1));
+    foam::filters::write_summary(foam, figures, vtkTable::GetData(outputs, 0));
+    foam::filters::write_by_sides(figures, vtkTable::GetData(outputs, 1));
     foam::filters::add_bubble_columns(vtkTable::GetData(outputs, 2)->GetRowData(), figures.each);
     WriteDistribution(figures, vtkTable::GetData(outputs, 3));
   } catch (const std::exception& error) {

@@ -64,7 +64,7 @@ class Example(unittest.TestCase):
 
 class Short(unittest.TestCase):
     def test_examples_are_short_enough_to_be_read(self):
-        for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture"):
+        for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture", "ensemble"):
             self.assertLess(len((EXAMPLES / f"{name}.py").read_text().splitlines()), 60, name)
 
 
@@ -113,6 +113,33 @@ class Clusters(Example):
         self.assertEqual([row["Bubbles"] for row in rows], [2, 3, 4, 5, 6, 7])
         for row in rows:
             self.assertAlmostEqual(row["Length"], float(exact[f"{row['Bubbles']:.0f}"]), delta=1e-8)
+
+
+class Ensemble(Example):
+    def test_two_processes_share_the_seeds_and_pool_them(self):
+        arguments = ["--seeds", 5, "--bubbles", 40, "--frames", 6, "--output"]
+        as_root = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+        tables = []
+        for count in ("1", "2"):
+            folder = self.folder / count
+            command = [os.environ["FOAM_MPIEXEC"], *as_root, "--oversubscribe", "-n", count, os.environ["FOAM_PVBATCH"],
+                       "--symmetric", EXAMPLES / "ensemble.py", *arguments, folder]
+            done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            tables.append((folder / "ensemble.csv").read_text())
+        self.assertIn("Process 0: seeds [1, 3, 5]", done.stdout)
+        self.assertIn("Process 1: seeds [2, 4]", done.stdout)
+        self.assertEqual(*tables)
+
+        rows = list(csv.DictReader(tables[0].splitlines()))
+        foams = {row["Quantity"]: row for row in rows if row["Sides"] == "0"}
+        self.assertEqual({row["Members"] for row in foams.values()}, {"5"})
+        self.assertAlmostEqual(float(foams["MeanSides"]["Mean"]), 6, places=12)
+        self.assertAlmostEqual(sum(float(row["Mean"]) for row in rows if row["Quantity"] == "Fraction"), 1, places=12)
+        # On a torus Σ(n − 6)² p(n) is the same of the means as the mean of μ₂.
+        mu2 = sum((int(row["Sides"]) - 6)**2 * float(row["Mean"]) for row in rows if row["Quantity"] == "Fraction")
+        self.assertAlmostEqual(float(foams["Mu2"]["Mean"]), mu2, places=12)
+        self.assertGreater(float(foams["GrowthRate"]["Mean"]), 0)
 
 
 class ParameterStudy(Example):

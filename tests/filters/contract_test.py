@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
-from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
+from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
 from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_of, single, times)
 
@@ -29,6 +29,7 @@ DEFAULTS = {
         "TopologicalAlgorithm": 0, "KeyframeInterval": 10, "KeyframeMemory": 256,
         **EQUILIBRATOR},
     vtkFoamStatistics: {"IncludeBoundary": False},
+    vtkFoamEnsembleStatistics: {"IncludeBoundary": False},
 }
 FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",
               "HalfAngle", "OnBoundary"]

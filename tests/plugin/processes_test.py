@@ -28,6 +28,10 @@ coarsen = FoamCoarsen(Input=foam, NumberOfFrames=12)
 statistics = FoamStatistics(Input=coarsen)
 for name, proxy, port in (("films", coarsen, 0), ("bubbles", coarsen, 1)):
     SaveData(f"{folder}/{name}.pvd", proxy=OutputPort(proxy, port), WriteTimeSteps=1)
+runs = [FoamFromPoints(Input=FoamPoints(NumberOfPoints=40, Seed=seed)) for seed in (1, 2, 3)]
+members = GroupDatasets(Input=runs, OutputType="vtkPartitionedDataSet")
+ensemble = FoamEnsembleStatistics(Input=members)
+pooled = servermanager.Fetch(ensemble)
 for proxy in (coarsen, statistics):
     proxy.UpdatePipeline(coarsen.TimestepValues[-1])
 
@@ -36,7 +40,9 @@ def count(proxy, port):  # of all processes together
     return max(data.GetNumberOfCells(), data.GetNumberOfRows())
 
 numbers = {"processes": servermanager.ActiveConnection.GetNumberOfDataPartitions(),
-           "counts": [count(coarsen, 0), count(coarsen, 1)] + [count(statistics, i) for i in range(4)]}
+           "counts": [count(coarsen, 0), count(coarsen, 1)] + [count(statistics, i) for i in range(4)],
+           "pooled": [[pooled.GetValue(i, k).ToString() for k in range(pooled.GetNumberOfColumns())]
+                      for i in range(pooled.GetNumberOfRows())]}
 with open(f"{folder}/counts.json", "w") as file:
     json.dump(numbers, file)
 """
@@ -59,7 +65,7 @@ class Processes(unittest.TestCase):
         folder.mkdir()
         done = subprocess.run([*command, cls.script, folder, str(port)], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
-        files = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.[pv][vt][dp]")}
+        files = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.*") if path.suffix != ".json"}
         return files, json.loads((folder / "counts.json").read_text())
 
     def check(self, found, processes):
@@ -74,6 +80,7 @@ class Processes(unittest.TestCase):
         self.assertEqual(len(files), 2 * 14)
         self.assertEqual(numbers["processes"], 1)
         films, bubbles, summary, _, rows, _ = numbers["counts"]
+        self.assertIn(["Mu2", "0", "3"], [row[:3] for row in numbers["pooled"]])
         self.assertEqual((films, summary, rows), (3 * bubbles, 1, bubbles))  # Euler's formula on the torus
 
     def test_two_processes(self):

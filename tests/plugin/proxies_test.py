@@ -34,10 +34,12 @@ PROXIES = {
         "TopologicalAlgorithm": "Final", "KeyframeInterval": 10, "KeyframeMemory": 256,
         **EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary": 0},
+    "FoamEnsembleStatistics": {"IncludeBoundary": 0},
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
     "FoamCoarsen": {"Input", "TimestepValues"}, "FoamStatistics": {"Input"},
+    "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
     "FoamPoints": {},
@@ -47,10 +49,12 @@ CHOICES = {
                     "TopologicalAlgorithm": ["Final", "Original", "Improved"],
                     **EQUILIBRATOR_CHOICES},
     "FoamStatistics": {},
+    "FoamEnsembleStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"],
-         "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"]}
+         "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
+         "FoamEnsembleStatistics": None}
 JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
                  "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}
@@ -63,8 +67,9 @@ class Proxies(unittest.TestCase):
         foam = FoamFromPoints(Input=points)
         coarsen = FoamCoarsen(Input=foam)
         statistics = FoamStatistics(Input=coarsen)
+        members = simple.GroupDatasets(Input=[statistics], OutputType="vtkPartitionedDataSet")
         cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
-                       "FoamStatistics": statistics}
+                       "FoamStatistics": statistics, "FoamEnsembleStatistics": FoamEnsembleStatistics(Input=members)}
         cls.writer = simple.CreateWriter("series.pvd", coarsen)
 
     def test_defaults(self):

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A foam's figures as tables.
+#pragma once
+
+#include "mesh/foam.h"
+#include "statistics/statistics.h"
+
+class vtkTable;
+
+namespace foam::filters {
+
+/// One row: Time (s), Bubbles, MeanSides, Mu2, MeanArea (cm²), AreaSecondMoment, Energy (N),
+/// AboavA, T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError.
+void write_summary(const Foam& foam, const FoamStatistics& figures, vtkTable* table);
+
+/// One row per number of sides: Sides, Count, Fraction, MeanNeighbourSides, AboavProduct,
+/// AboavIdeal, MeanArea.
+void write_by_sides(const FoamStatistics& figures, vtkTable* table);
+
+} // namespace foam::filters

@@ -31,7 +31,7 @@ def main():
         areas, moments = zip(*((row["MeanArea"], row["AreaSecondMoment"]) for row in run))
         axes.plot(areas, moments, color=colour, label=f"jitter {jitter}")
         rows += run
-    axes.set(xlabel="mean bubble area / cm²", ylabel="⟨A²⟩/⟨A⟩²", xscale="log", ylim=(1, None))
+    axes.set(xlabel="mean bubble area / cm²", ylabel="⟨A²⟩/⟨A⟩²", ylim=(1, None))
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False)
     figure.savefig(options.output / "area_moments.png")

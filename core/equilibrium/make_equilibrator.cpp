@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#ifdef FOAM_HAVE_NEWTON
 #include "equilibrium/newton_equilibrator.h"
+#endif
 #include "junction/junction_equilibrator.h"
 #include "mesh/number.h"
+#include "parallel/accelerator.h"
 
 namespace foam {
+namespace {
+
+std::unique_ptr<Equilibrator> make_newton([[maybe_unused]] const EquilibratorOptions& options) {
+#ifdef FOAM_HAVE_NEWTON
+  return std::make_unique<NewtonEquilibrator>(options);
+#else
+  throw FoamError("Equilibrator = Newton, but this build has no sparse solver for it");
+#endif
+}
+
+} // namespace
 
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
@@ -15,13 +29,14 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
     throw FoamError("MaximumIterations must be at least 1, but is " +
                     std::to_string(options.maximum_iterations));
   }
-  if (options.device == Device::CUDA) {
-    throw FoamError("Device = CUDA, but this build has no CUDA support");
+  if (const Accelerator* const accelerator =
+          accelerator_for(options.device, accelerator_obstacle(options))) {
+    return accelerator->make_equilibrator(options);
   }
   if (options.kind == EquilibratorKind::Junction) {
     return std::make_unique<JunctionEquilibrator>(options);
   }
-  return std::make_unique<NewtonEquilibrator>(options);
+  return make_newton(options);
 }
 
 } // namespace foam

@@ -19,7 +19,8 @@ enum class TwoSidedBubbles {
 enum class TopologicalAlgorithm {
   Final,    ///< Figure 4.8, which follows every cascade
   Original, ///< Figure 4.4, a walk over the junctions that is the frame's first sweep as well
-  Improved  ///< Figure 4.6, bubbles and films in turn until nothing gives way
+  Improved, ///< Figure 4.6, bubbles and films in turn until nothing gives way
+  Bidding   ///< many at once, where they do not meet (topology/bidding.h), as on a GPU
 };
 
 struct CoarseningOptions {

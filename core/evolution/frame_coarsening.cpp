@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "evolution/collapse_bids.h"
 #include "evolution/diffusion.h"
 #include "junction/junction_step.h"
+#include "parallel/host.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
 #include "topology/thesis_algorithms.h"
@@ -28,62 +30,49 @@ void diffuse(Foam& foam, double permeability, double time_step) {
       foam, [&](Index b) { foam.target_area[Foam::size(b)] += rate[Foam::size(b)] * time_step; });
 }
 
-/// Whether a bubble has shrunk to nothing, in fact or in target (3.2.2).
-bool vanishes(const Foam& foam, Index bubble, double area, double t2_area) {
-  return foam.target_area[Foam::size(bubble)] <= t2_area || area <= t2_area;
-}
-
-/// A two-sided bubble on the wall of a container has no corner to slide to.
-bool slides(const Foam& foam, Index bubble, TwoSidedBubbles choice) {
-  return choice == TwoSidedBubbles::Slide &&
-         !(foam.boundary == Boundary::Fixed && foam.bubble_on_world(bubble));
-}
-
-/// The film that a bubble slid to is to be found short enough for a T1 whatever rounding does.
-constexpr double kWithinThreshold = 1 - 1e-9;
-
-void slide_two_sided_bubbles(Foam& foam, double t1_length) {
+void slide_two_sided_bubbles(Foam& foam, const ThesisRules& rules) {
   for_each_bubble(foam, [&](Index b) {
-    if (foam.sides[Foam::size(b)] == 2 && slides(foam, b, TwoSidedBubbles::Slide)) {
-      slide_two_sided_bubble(foam, b, t1_length * kWithinThreshold);
+    if (foam.sides[Foam::size(b)] == 2 && rules.slides(foam, b)) {
+      slide_two_sided_bubble(foam, b, rules.sliding_distance());
     }
   });
 }
 
-/// The thesis's conditions for a topological operation (3.2.2), and for T3 that of T2. Areas are
-/// those of the pressures: the arcs' own angles lag behind while junctions are equilibrated between
-/// the operations.
-CollapseRules thesis_rules(const Thresholds& limit, TwoSidedBubbles two_sided) {
-  const auto gone = [=](const Foam& foam, Index b) {
-    const double area = junction::thesis_area(foam, foam.bubble_half[Foam::size(b)]);
-    return vanishes(foam, b, area, limit.t2_area);
-  };
-  return {.t1 = [=](const Foam& foam,
-                    Index film) { return norm(foam.chord(2 * film)) <= limit.t1_length; },
-          .t2 = gone,
+CollapseRules collapse_rules(const ThesisRules& rules) {
+  return {.t1 = [=](const Foam& foam, Index film) { return rules.shrunk(foam, film); },
+          .t2 = [=](const Foam& foam, Index b) { return rules.vanishes(foam, b); },
           .t3 = [=](const Foam& foam,
-                    Index b) { return !slides(foam, b, two_sided) && gone(foam, b); }};
+                    Index b) { return !rules.slides(foam, b) && rules.vanishes(foam, b); }};
 }
 
-void perform_topological_operations(Foam& foam, const CollapseRules& rules,
+/// All operations in the rounds of topology/bidding.h.
+void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
+  Host host;
+  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  const OperationCount performed =
+      Bidding<Host>(host).run(view_of(foam), CollapseBids{rules, swappable.data()});
+  count(foam, performed);
+}
+
+void perform_topological_operations(Foam& foam, const ThesisRules& rules,
                                     const CoarseningOptions& options) {
   switch (options.topological_algorithm) {
   case TopologicalAlgorithm::Final:
-    topological_cascade(foam, rules);
+    topological_cascade(foam, collapse_rules(rules));
     break;
   case TopologicalAlgorithm::Original:
-    original_algorithm(foam, rules, [&](Foam& now, Index junction) {
+    original_algorithm(foam, collapse_rules(rules), [&](Foam& now, Index junction) {
       junction::equilibrate_junction(now, junction, options.equilibrator.junction);
     });
     break;
   case TopologicalAlgorithm::Improved:
-    improved_algorithm(foam, rules);
+    improved_algorithm(foam, collapse_rules(rules));
+    break;
+  case TopologicalAlgorithm::Bidding:
+    perform_in_rounds(foam, rules);
     break;
   }
 }
-
-/// Target areas below this share of the mean are raised to it.
-constexpr double kLeastTarget = 1e-6;
 
 /// A bubble that ought to have vanished but could not be removed, a neighbour of its being
 /// two-sided, say, goes on as a tiny one: no pressure gives a bubble an area of zero or less.
@@ -98,7 +87,9 @@ void keep_targets_above(Foam& foam, double least) {
 bool comes_to_an_end(const Foam& foam, double t2_area) {
   bool end = false;
   if (foam.boundary == Boundary::Free && foam.bubble_count() == 2) {
-    for_each_bubble(foam, [&](Index b) { end = end || vanishes(foam, b, foam.area(b), t2_area); });
+    for_each_bubble(foam, [&](Index b) {
+      end = end || std::min(foam.target_area[Foam::size(b)], foam.area(b)) <= t2_area;
+    });
   }
   return end;
 }
@@ -121,10 +112,9 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   if (comes_to_an_end(next, limit.t2_area)) {
     return false;
   }
-  if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
-    slide_two_sided_bubbles(next, limit.t1_length);
-  }
-  perform_topological_operations(next, thesis_rules(limit, options_.two_sided_bubbles), options_);
+  const ThesisRules rules{limit, options_.two_sided_bubbles};
+  slide_two_sided_bubbles(next, rules);
+  perform_topological_operations(next, rules, options_);
   keep_targets_above(next, kLeastTarget * spacing * spacing);
   equilibrator_->equilibrate(next, limit.t1_length, aborted);
   next.time += options_.time_step;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#ifdef FOAM_HAVE_NEWTON
 #include "evolution/event_coarsening.h"
+#endif
 #include "evolution/frame_coarsening.h"
 #include "mesh/number.h"
+#include "parallel/accelerator.h"
 
 namespace foam {
 namespace {
@@ -23,11 +26,17 @@ std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
   require(t.t1_length >= 0, "T1Length", "at least 0", t.t1_length);
   require(t.t2_area >= 0, "T2Area", "at least 0", t.t2_area);
   require(t.alpha > 0, "Alpha", "positive", t.alpha);
-  make_equilibrator(options.equilibrator); // checks its options
-  if (options.equilibrator.kind == EquilibratorKind::Junction) {
-    return std::make_unique<FrameCoarsening>(options);
+  if (const Accelerator* const accelerator =
+          accelerator_for(options.equilibrator.device, accelerator_obstacle(options))) {
+    return accelerator->make_coarsening(options);
   }
-  return std::make_unique<EventCoarsening>(options);
+  make_equilibrator(options.equilibrator); // checks its options
+#ifdef FOAM_HAVE_NEWTON
+  if (options.equilibrator.kind == EquilibratorKind::Newton) {
+    return std::make_unique<EventCoarsening>(options);
+  }
+#endif
+  return std::make_unique<FrameCoarsening>(options);
 }
 
 } // namespace foam

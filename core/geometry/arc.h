@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "geometry/host_device.h"
 #include "geometry/vec2.h"
 
 namespace foam {
@@ -29,56 +30,60 @@ struct ArcShape {
 
 namespace detail {
 
-/// Coefficients of α^{2k}, k = 0, 1, …, of α/sin α.
-inline constexpr std::array<double, 13> kLengthSeries = {1.0,
-                                                         0.16666666666666666,
-                                                         0.019444444444444445,
-                                                         0.00205026455026455,
-                                                         0.0002099867724867725,
-                                                         2.1336045641601196e-05,
-                                                         2.1633474427786596e-06,
-                                                         2.192327134456764e-07,
-                                                         2.2213930853920414e-08,
-                                                         2.2507674795567867e-09,
-                                                         2.280510770721821e-10,
-                                                         2.3106421580996967e-11,
-                                                         2.3411704028931947e-12};
-
-/// Coefficients of α^{2k+1}, k = 0, 1, …, of ¼ d(−α cot α)/dα.
-inline constexpr std::array<double, 13> kAreaSeries = {
-    0.16666666666666666,    0.022222222222222223,  0.0031746031746031746,  0.0004232804232804233,
-    5.344449788894233e-05,  6.493212842419191e-06, 7.674081748155823e-07,  8.885843515991871e-08,
-    1.0128530932564046e-08, 1.140257560229609e-09, 1.2708537929451442e-10, 1.4047024091894931e-11,
-    1.5418661310151875e-12};
-
 /// Below this |α| the closed forms lose digits to cancellation and the series do not.
 inline constexpr double kSeriesLimit = 0.5;
+
+/// f and g with their derivatives by their series.
+FOAM_HOST_DEVICE inline ArcShape arc_shape_by_series(double alpha) {
+  // Of α^{2k}, k = 0, 1, …, in α/sin α.
+  static constexpr std::array<double, 13> kLengthSeries = {1.0,
+                                                           0.16666666666666666,
+                                                           0.019444444444444445,
+                                                           0.00205026455026455,
+                                                           0.0002099867724867725,
+                                                           2.1336045641601196e-05,
+                                                           2.1633474427786596e-06,
+                                                           2.192327134456764e-07,
+                                                           2.2213930853920414e-08,
+                                                           2.2507674795567867e-09,
+                                                           2.280510770721821e-10,
+                                                           2.3106421580996967e-11,
+                                                           2.3411704028931947e-12};
+  // Of α^{2k+1}, k = 0, 1, …, in ¼ d(−α cot α)/dα.
+  static constexpr std::array<double, 13> kAreaSeries = {
+      0.16666666666666666,    0.022222222222222223,  0.0031746031746031746,  0.0004232804232804233,
+      5.344449788894233e-05,  6.493212842419191e-06, 7.674081748155823e-07,  8.885843515991871e-08,
+      1.0128530932564046e-08, 1.140257560229609e-09, 1.2708537929451442e-10, 1.4047024091894931e-11,
+      1.5418661310151875e-12};
+  ArcShape a{};
+  const double x = alpha * alpha;
+  for (std::size_t i = kLengthSeries.size(); i-- > 0;) {
+    const double n = 2.0 * static_cast<double>(i);
+    const double cf = kLengthSeries[i];
+    const double cg = kAreaSeries[i];
+    a.f = a.f * x + cf;
+    a.g = a.g * x + cg;
+    a.g1 = a.g1 * x + (n + 1) * cg;
+    if (i > 0) {
+      a.f1 = a.f1 * x + n * cf;
+      a.f2 = a.f2 * x + n * (n - 1) * cf;
+      a.g2 = a.g2 * x + (n + 1) * n * cg;
+    }
+  }
+  a.f1 *= alpha;
+  a.g *= alpha;
+  a.g2 *= alpha;
+  return a;
+}
 
 } // namespace detail
 
 /// f and g with their derivatives; −π < alpha < π (rad).
-inline ArcShape arc_shape(double alpha) {
-  ArcShape a{};
+FOAM_HOST_DEVICE inline ArcShape arc_shape(double alpha) {
   if (std::abs(alpha) < detail::kSeriesLimit) {
-    const double x = alpha * alpha;
-    for (std::size_t i = detail::kLengthSeries.size(); i-- > 0;) {
-      const double n = 2.0 * static_cast<double>(i);
-      const double cf = detail::kLengthSeries[i];
-      const double cg = detail::kAreaSeries[i];
-      a.f = a.f * x + cf;
-      a.g = a.g * x + cg;
-      a.g1 = a.g1 * x + (n + 1) * cg;
-      if (i > 0) {
-        a.f1 = a.f1 * x + n * cf;
-        a.f2 = a.f2 * x + n * (n - 1) * cf;
-        a.g2 = a.g2 * x + (n + 1) * n * cg;
-      }
-    }
-    a.f1 *= alpha;
-    a.g *= alpha;
-    a.g2 *= alpha;
-    return a;
+    return detail::arc_shape_by_series(alpha);
   }
+  ArcShape a{};
   const double s = std::sin(alpha);
   const double c = std::cos(alpha);
   const double s2 = s * s;
@@ -92,34 +97,34 @@ inline ArcShape arc_shape(double alpha) {
 }
 
 /// Length of the arc (cm) over a chord d (cm).
-inline double arc_length(double chord, double alpha) {
+FOAM_HOST_DEVICE inline double arc_length(double chord, double alpha) {
   return chord * arc_shape(alpha).f;
 }
 
 /// Signed area (cm²) between the arc and its chord, > 0 on the left bubble's account.
-inline double segment_area(double chord, double alpha) {
+FOAM_HOST_DEVICE inline double segment_area(double chord, double alpha) {
   return chord * chord * arc_shape(alpha).g;
 }
 
 /// Curvature (1/cm) of the arc, with the sign of α.
-inline double arc_curvature(double chord, double alpha) {
+FOAM_HOST_DEVICE inline double arc_curvature(double chord, double alpha) {
   return 2 * std::sin(alpha) / chord;
 }
 
 /// Unit tangent at the start of the arc, pointing into it.
-inline Vec2 start_tangent(Vec2 chord, double alpha) {
+FOAM_HOST_DEVICE inline Vec2 start_tangent(Vec2 chord, double alpha) {
   return rotated((1 / norm(chord)) * chord, -alpha);
 }
 
 /// The point at the fraction s ∈ [0, 1] of the arc length from its start.
-inline Vec2 arc_point(Vec2 start, Vec2 chord, double alpha, double s) {
+FOAM_HOST_DEVICE inline Vec2 arc_point(Vec2 start, Vec2 chord, double alpha, double s) {
   const auto sinc = [](double x) { return std::abs(x) < 1e-8 ? 1.0 : std::sin(x) / x; };
   const double scale = s * sinc(alpha * s) / sinc(alpha);
   return start + scale * rotated(chord, alpha * (s - 1));
 }
 
 /// Number of straight segments that keep an arc within chord_error (cm) of its samples; at least 1.
-inline int arc_segments(double chord, double alpha, double chord_error) {
+FOAM_HOST_DEVICE inline int arc_segments(double chord, double alpha, double chord_error) {
   const double curvature = std::abs(arc_curvature(chord, alpha));
   const double ratio = 1 - chord_error * curvature;
   if (ratio >= 1) {

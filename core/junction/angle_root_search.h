@@ -13,7 +13,7 @@ struct AngleRootSearch {
 
   /// The angles that are left: not the world's, or else not the last (3.4.1). Angle k lies between
   /// films k and k + 1.
-  static std::array<std::size_t, kConditions> angles(const JunctionStar& star) {
+  FOAM_HOST_DEVICE static std::array<std::size_t, kConditions> angles(const JunctionStar& star) {
     if (star.bubble[0] == kWorld) {
       return {1, 2};
     }
@@ -22,19 +22,19 @@ struct AngleRootSearch {
   }
 
   /// θ, rad.
-  static std::array<double, kConditions> values(const JunctionStar& star) {
+  FOAM_HOST_DEVICE static std::array<double, kConditions> values(const JunctionStar& star) {
     const auto theta = film_angles(star);
     const auto [a, b] = angles(star);
     return {theta[a], theta[b]};
   }
 
-  static std::array<double, kConditions> targets(const JunctionStar& /*star*/) {
+  FOAM_HOST_DEVICE static std::array<double, kConditions> targets(const JunctionStar& /*star*/) {
     return {2 * std::numbers::pi / 3, 2 * std::numbers::pi / 3};
   }
 
   /// The change z that, to first order, makes areas and angles what they shall be (3.1.7).
-  static JunctionStep solve(const JunctionStar& /*star*/,
-                            const JunctionSystem<AngleRootSearch>& system) {
+  FOAM_HOST_DEVICE static JunctionStep solve(const JunctionStar& /*star*/,
+                                             const JunctionSystem<AngleRootSearch>& system) {
     const Vector5 z = gauss_jordan(system.jacobian, system.deviation, system.ignored);
     return {{z[0], z[1], z[2]}, {z[3], z[4]}};
   }

@@ -11,7 +11,7 @@ namespace foam::junction {
 /// coordinates are 1/(s_k + S/√3), s_k the scalar product of the two sides that leave corner k and
 /// S twice the area (Kimberling, Encyclopedia of Triangle Centers, X(13)). Where a corner has 120°
 /// or more, or is two corners in one place, it is that corner.
-inline Vec2 steiner_point(const std::array<Vec2, 3>& corner) {
+FOAM_HOST_DEVICE inline Vec2 steiner_point(const std::array<Vec2, 3>& corner) {
   const double twice_area = std::abs(cross(corner[1] - corner[0], corner[2] - corner[0]));
   std::array<double, 3> inverse{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ struct EnergyRootSearch {
   EnergyTarget target = EnergyTarget::Zero;
 
   /// E_k = 2γ·l_k (3.5.2), N.
-  static std::array<double, kConditions> values(const JunctionStar& star) {
+  FOAM_HOST_DEVICE static std::array<double, kConditions> values(const JunctionStar& star) {
     std::array<double, kConditions> energy{};
     for (std::size_t k = 0; k < 3; ++k) {
       energy[k] = 2 * star.surface_tension * film_length(star, k);
@@ -62,7 +62,7 @@ struct EnergyRootSearch {
   }
 
   /// E^τ, N.
-  std::array<double, kConditions> targets(const JunctionStar& star) const {
+  FOAM_HOST_DEVICE std::array<double, kConditions> targets(const JunctionStar& star) const {
     std::array<double, kConditions> energy{};
     if (target == EnergyTarget::Straight) {
       const Vec2 steiner = steiner_point(star.chord);
@@ -74,7 +74,8 @@ struct EnergyRootSearch {
   }
 
   /// The change z that, to first order, leaves the least sum of squared deviations, in N.
-  static JunctionStep solve(const JunctionStar& star, JunctionSystem<EnergyRootSearch> system) {
+  FOAM_HOST_DEVICE static JunctionStep solve(const JunctionStar& star,
+                                             JunctionSystem<EnergyRootSearch> system) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (star.bubble[k] != kWorld) {
         const double pressure =

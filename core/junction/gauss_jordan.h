@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "geometry/host_device.h"
+
 namespace foam::junction {
 
 using Vector5 = std::array<double, 5>;
@@ -17,7 +19,8 @@ using Matrix5 = std::array<Vector5, 5>; ///< by rows
 /// The reduction exchanges no rows, with one exception: of the two last equations, the angles, the
 /// one with the larger pivot comes first. The thesis leaves open which angle that is, and in a
 /// symmetric junction the other one can have none. A singular matrix gives a z that is not finite.
-inline Vector5 gauss_jordan(Matrix5 a, Vector5 x, const std::array<bool, 5>& ignored) {
+FOAM_HOST_DEVICE inline Vector5 gauss_jordan(Matrix5 a, Vector5 x,
+                                             const std::array<bool, 5>& ignored) {
   for (std::size_t r = 0; r < 5; ++r) {
     if (ignored[r]) {
       continue;

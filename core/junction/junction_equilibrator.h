@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "equilibrium/equilibrator.h"
-#include "junction/junction_step.h"
+#include "junction/jacobi_sweep.h"
+#include "parallel/host.h"
 
 namespace foam {
+
+/// \throws FoamError for options of the thesis's method that are out of range.
+void check_junction_options(const EquilibratorOptions& options);
 
 /// The thesis's own method (B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex
 /// Model, 2010, chapters 3 and 4): every junction in turn is brought nearer to 120° and its bubbles
@@ -30,23 +32,9 @@ public:
   void forget() override {}
 
 private:
-  /// The largest changes in a sweep (Figure 4.3).
-  struct Maxima {
-    double pressure = 0;  ///< Δp_max, N/cm
-    double position = 0;  ///< Δx_max, cm
-    bool solvable = true; ///< no junction was singular
-
-    void include(const junction::JunctionChange& change);
-  };
-
-  Maxima sweep_jacobi(Foam& foam);
-  Maxima sweep_gauss_seidel(Foam& foam) const;
-  bool halt(const Maxima& now, const Maxima& old) const;
-
   EquilibratorOptions options_;
-  int threads_;
-  std::vector<junction::JunctionStep> steps_; ///< of the junctions, R in Figure 4.12
-  std::vector<double> pressure_change_;       ///< of the bubbles, P in Figure 4.12
+  Host host_;
+  junction::JacobiSweep<Host> jacobi_;
 };
 
 } // namespace foam

@@ -63,19 +63,20 @@ struct JunctionStep {
   std::array<double, 3> pressure{}; ///< Δp of the bubbles, N/cm
   Vec2 position;                    ///< Δx, cm
 
-  bool finite() const {
+  FOAM_HOST_DEVICE bool finite() const {
     return std::isfinite(pressure[0] + pressure[1] + pressure[2] + position.x + position.y);
   }
 };
 
-inline constexpr std::size_t after(std::size_t k) {
+FOAM_HOST_DEVICE inline constexpr std::size_t after(std::size_t k) {
   return (k + 1) % 3;
 }
-inline constexpr std::size_t before(std::size_t k) {
+FOAM_HOST_DEVICE inline constexpr std::size_t before(std::size_t k) {
   return (k + 2) % 3;
 }
 
-template <class Mesh> JunctionStar junction_star(const Mesh& mesh, Index junction) {
+template <class Mesh>
+FOAM_HOST_DEVICE JunctionStar junction_star(const Mesh& mesh, Index junction) {
   JunctionStar star;
   star.half = mesh.junction_half[Foam::size(junction)];
   star.surface_tension = mesh.surface_tension;
@@ -91,45 +92,47 @@ template <class Mesh> JunctionStar junction_star(const Mesh& mesh, Index junctio
 }
 
 /// Half-angle of the junction's film k, bubble k on its left, bubble k − 1 on its right.
-inline double half_angle(const JunctionStar& star, std::size_t k) {
+FOAM_HOST_DEVICE inline double half_angle(const JunctionStar& star, std::size_t k) {
   return thesis_half_angle(norm(star.chord[k]), star.pressure[k] - star.pressure[before(k)],
                            star.surface_tension);
 }
 
 /// φ, the angle that turns edge a into edge b counter-clockwise, in [0, 2π) (3.3.3, 3.3.4).
-inline double edge_angle(Vec2 a, Vec2 b) {
+FOAM_HOST_DEVICE inline double edge_angle(Vec2 a, Vec2 b) {
   const double psi = angle_from_to(a, b);
   return psi < 0 ? psi + 2 * std::numbers::pi : psi;
 }
 
 /// θ = φ − α_j + α_k (3.3.7), with the signs of half-angles that are all seen from the junction.
-inline double film_angle(const JunctionStar& star, std::size_t from, std::size_t to) {
+FOAM_HOST_DEVICE inline double film_angle(const JunctionStar& star, std::size_t from,
+                                          std::size_t to) {
   return edge_angle(star.chord[from], star.chord[to]) + half_angle(star, from) -
          half_angle(star, to);
 }
 
-inline std::array<double, 3> film_angles(const JunctionStar& star) {
+FOAM_HOST_DEVICE inline std::array<double, 3> film_angles(const JunctionStar& star) {
   return {film_angle(star, 0, 1), film_angle(star, 1, 2), film_angle(star, 2, 0)};
 }
 
 /// Length of the junction's film k (3.5.1), cm.
-inline double film_length(const JunctionStar& star, std::size_t k) {
+FOAM_HOST_DEVICE inline double film_length(const JunctionStar& star, std::size_t k) {
   return arc_length(norm(star.chord[k]), half_angle(star, k));
 }
 
 /// Energy of the films that meet in the junction, 2γ·Σl (3.5.2), N.
-inline double local_energy(const JunctionStar& star) {
+FOAM_HOST_DEVICE inline double local_energy(const JunctionStar& star) {
   return 2 * star.surface_tension *
          (film_length(star, 0) + film_length(star, 1) + film_length(star, 2));
 }
 
 /// The orientation invariant (3.5.1): films 0, 1, 2 follow each other counter-clockwise.
-inline bool oriented(const JunctionStar& star) {
+FOAM_HOST_DEVICE inline bool oriented(const JunctionStar& star) {
   return film_angle(star, 0, 1) < film_angle(star, 0, 2);
 }
 
 /// A_⌢ (3.3.10) of half-film h on the account of its left bubble, whose pressure is given.
-template <class Mesh> double thesis_segment(const Mesh& mesh, Index h, double left_pressure) {
+template <class Mesh>
+FOAM_HOST_DEVICE double thesis_segment(const Mesh& mesh, Index h, double left_pressure) {
   if (mesh.wall(h)) {
     return 0;
   }
@@ -139,7 +142,7 @@ template <class Mesh> double thesis_segment(const Mesh& mesh, Index h, double le
 }
 
 /// Area (3.3.12) of the bubble on the left of h, cm².
-template <class Mesh> double thesis_area(const Mesh& mesh, Index first) {
+template <class Mesh> FOAM_HOST_DEVICE double thesis_area(const Mesh& mesh, Index first) {
   const double pressure = mesh.pressure_of(mesh.left(first));
   double twice_polygon = 0;
   double segments = 0;
@@ -158,8 +161,8 @@ template <class Mesh> double thesis_area(const Mesh& mesh, Index first) {
 /// Areas and film values with the pressure of bubble k changed by dp, but for what does not depend
 /// on it.
 template <class Search, class Mesh>
-JunctionSample<Search> vary_pressure(const Search& search, const Mesh& mesh, JunctionStar star,
-                                     std::size_t k, double dp) {
+FOAM_HOST_DEVICE JunctionSample<Search> vary_pressure(const Search& search, const Mesh& mesh,
+                                                      JunctionStar star, std::size_t k, double dp) {
   star.pressure[k] += dp;
   JunctionSample<Search> sample;
   sample.value = search.values(star);
@@ -181,7 +184,8 @@ JunctionSample<Search> vary_pressure(const Search& search, const Mesh& mesh, Jun
 /// a bubble's polygon the triangle that has a corner in the junction remains, of its arcs the two
 /// that end there.
 template <class Search>
-JunctionSample<Search> vary_position(const Search& search, JunctionStar star, Vec2 move) {
+FOAM_HOST_DEVICE JunctionSample<Search> vary_position(const Search& search, JunctionStar star,
+                                                      Vec2 move) {
   std::array<double, 3> segment{};
   for (std::size_t k = 0; k < 3; ++k) {
     star.chord[k] -= move;
@@ -198,8 +202,8 @@ JunctionSample<Search> vary_position(const Search& search, JunctionStar star, Ve
 
 /// ∇f_j by central differences with step h (3.1.1); the world's row and column are zero (3.4.1).
 template <class Search, class Mesh>
-JunctionJacobian<Search> junction_jacobian(const Search& search, const Mesh& mesh,
-                                           const JunctionStar& star, double h) {
+FOAM_HOST_DEVICE JunctionJacobian<Search> junction_jacobian(const Search& search, const Mesh& mesh,
+                                                            const JunctionStar& star, double h) {
   JunctionJacobian<Search> jacobian{};
   const auto set_column = [&](std::size_t c, const JunctionSample<Search>& plus,
                               const JunctionSample<Search>& minus) {
@@ -223,8 +227,9 @@ JunctionJacobian<Search> junction_jacobian(const Search& search, const Mesh& mes
 
 /// ‖a − b‖_∞, the largest sum of a row.
 template <std::size_t Rows, std::size_t Columns>
-double row_norm_of_difference(const std::array<std::array<double, Columns>, Rows>& a,
-                              const std::array<std::array<double, Columns>, Rows>& b) {
+FOAM_HOST_DEVICE double
+row_norm_of_difference(const std::array<std::array<double, Columns>, Rows>& a,
+                       const std::array<std::array<double, Columns>, Rows>& b) {
   double largest = 0;
   for (std::size_t r = 0; r < Rows; ++r) {
     double sum = 0;
@@ -245,9 +250,9 @@ struct DifferenceOptions {
 
 /// ∇f_j with the step halved until two in a row differ by no more than δ_error (Figure 4.1).
 template <class Search, class Mesh>
-JunctionJacobian<Search> adaptive_jacobian(const Search& search, const Mesh& mesh,
-                                           const JunctionStar& star,
-                                           const DifferenceOptions& options) {
+FOAM_HOST_DEVICE JunctionJacobian<Search> adaptive_jacobian(const Search& search, const Mesh& mesh,
+                                                            const JunctionStar& star,
+                                                            const DifferenceOptions& options) {
   JunctionJacobian<Search> jacobian{};
   double error = 2 * options.tolerance;
   for (double scale = 1; error > options.tolerance && scale > options.minimum_scale; scale *= 0.5) {
@@ -261,8 +266,9 @@ JunctionJacobian<Search> adaptive_jacobian(const Search& search, const Mesh& mes
 /// f_j and ∇f_j. In a junction that is pinned to a container's wall each of its bubbles' pressures
 /// answers for its own area alone, and nothing moves.
 template <class Search, class Mesh>
-JunctionSystem<Search> junction_system(const Search& search, const Mesh& mesh, Index junction,
-                                       const JunctionStar& star, const DifferenceOptions& options) {
+FOAM_HOST_DEVICE JunctionSystem<Search> junction_system(const Search& search, const Mesh& mesh,
+                                                        Index junction, const JunctionStar& star,
+                                                        const DifferenceOptions& options) {
   JunctionSystem<Search> system;
   system.jacobian = adaptive_jacobian(search, mesh, star, options);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "geometry/host_device.h"
+
 namespace foam::junction {
 
 /// The z that minimises ‖a·z − x‖₂, by Householder's reflections (Golub & Van Loan, Matrix
@@ -13,9 +15,9 @@ namespace foam::junction {
 /// must be at least as many rows as columns left. Columns that depend on each other give a z that
 /// is not finite.
 template <std::size_t Rows, std::size_t Columns>
-std::array<double, Columns> least_squares(std::array<std::array<double, Columns>, Rows> a,
-                                          std::array<double, Rows> x,
-                                          const std::array<bool, Columns>& ignored) {
+FOAM_HOST_DEVICE std::array<double, Columns>
+least_squares(std::array<std::array<double, Columns>, Rows> a, std::array<double, Rows> x,
+              const std::array<bool, Columns>& ignored) {
   constexpr double kRounding = Rows * std::numeric_limits<double>::epsilon();
   std::size_t pivot = 0;
   std::array<std::size_t, Columns> pivot_of{}; // the row of a column's diagonal element in R

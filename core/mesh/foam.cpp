@@ -21,30 +21,6 @@ Index Foam::junction_count() const {
                                           [](const auto& h) { return h[0] != kNone; }));
 }
 
-bool Foam::junction_on_world(Index j) const {
-  const auto& halves = junction_half[size(j)];
-  return std::any_of(halves.begin(), halves.end(), [this](Index h) { return left(h) == kWorld; });
-}
-
-bool Foam::bubble_on_world(Index b) const {
-  bool found = false;
-  for_each_half(*this, b, [&](Index h) { found = found || right(h) == kWorld; });
-  return found;
-}
-
-double Foam::area(Index b) const {
-  double twice_polygon = 0;
-  double segments = 0;
-  Vec2 at; // relative to the first junction: a torus has no origin, and no digits are lost far out
-  for_each_half(*this, b, [&](Index h) {
-    const Vec2 d = chord(h);
-    twice_polygon += cross(at, d);
-    segments += segment_area(norm(d), half_angle(h));
-    at += d;
-  });
-  return 0.5 * twice_polygon + segments;
-}
-
 double Foam::energy() const {
   double total = 0;
   for (Index f = 0; f < film_capacity(); ++f) {

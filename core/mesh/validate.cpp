@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mesh/element_measures.h"
+
 namespace foam {
 namespace {
 
@@ -151,11 +153,7 @@ std::vector<std::string> validate_geometry(const Foam& foam) {
     if (!foam.has_junction(j) || foam.pinned(j)) {
       continue;
     }
-    const auto [a, b, c] = foam.junction_half[Foam::size(j)];
-    const double ab = angle_from_to(foam.tangent(a), foam.tangent(b));
-    const double ac = angle_from_to(foam.tangent(a), foam.tangent(c));
-    const auto positive = [](double x) { return x < 0 ? x + 2 * std::numbers::pi : x; };
-    if (!(positive(ab) < positive(ac))) {
+    if (!counter_clockwise(foam, j)) {
       problems.push_back("the films of junction " + to_string(j) + " are not counter-clockwise");
     }
   }

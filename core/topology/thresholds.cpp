@@ -6,19 +6,23 @@
 
 namespace foam {
 
-Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
+Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options) {
   if (!options.relative) {
     return {options.t1_length, options.t2_area};
   }
+  const double t1_length =
+      options.alpha * std::sqrt(2 * total_area / (std::numbers::pi * junctions));
+  return {t1_length, t1_length * t1_length};
+}
+
+Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
   double total_area = 0;
   for (Index b = 0; b < foam.bubble_capacity(); ++b) {
     if (foam.has_bubble(b)) {
       total_area += foam.target_area[Foam::size(b)];
     }
   }
-  const double t1_length =
-      options.alpha * std::sqrt(2 * total_area / (std::numbers::pi * foam.junction_count()));
-  return {t1_length, t1_length * t1_length};
+  return thresholds(total_area, foam.junction_count(), options);
 }
 
 } // namespace foam

@@ -24,4 +24,7 @@ struct ThresholdOptions {
 /// junctions, δ_T2 = δ_T1².
 Thresholds thresholds(const Foam& foam, const ThresholdOptions& options);
 
+/// The same from A_total (cm²) and m.
+Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options);
+
 } // namespace foam

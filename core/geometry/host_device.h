@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Marks the functions that a CUDA compiler also compiles for the GPU. They hold no containers but
+// std::array, whose members are constexpr (nvcc --expt-relaxed-constexpr).
+#pragma once
+
+#ifdef __CUDACC__
+#define FOAM_HOST_DEVICE __host__ __device__
+#else
+#define FOAM_HOST_DEVICE
+#endif

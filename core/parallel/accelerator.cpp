@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parallel/accelerator.h"
+
+#include <iostream>
+#include <mutex>
+#include <optional>
+
+#include "evolution/coarsening.h"
+
+namespace foam {
+namespace {
+
+std::optional<Accelerator>& cuda() {
+  static std::optional<Accelerator> accelerator;
+  return accelerator;
+}
+
+} // namespace
+
+void register_cuda(const Accelerator& accelerator) {
+  cuda() = accelerator;
+}
+
+const Accelerator* accelerator_for(Device device, const std::string& obstacle) {
+  const bool demanded = device == Device::CUDA;
+  const auto without = [&](const std::string& reason) -> const Accelerator* {
+    if (demanded) {
+      throw FoamError("Device = CUDA, but " + reason);
+    }
+    return nullptr;
+  };
+  if (device == Device::CPU) {
+    return nullptr;
+  }
+  if (!cuda()) {
+    return without("this build has no CUDA support");
+  }
+  if (!obstacle.empty()) {
+    return without(obstacle);
+  }
+  const std::string reason = cuda()->unavailable();
+  if (!reason.empty()) {
+    static std::once_flag said;
+    if (!demanded) {
+      std::call_once(said, [&] {
+        std::clog << "Foam: Device = Auto computes on the CPU: " << reason << std::endl;
+      });
+    }
+    return without(reason);
+  }
+  return &*cuda();
+}
+
+std::string accelerator_obstacle(const EquilibratorOptions& options) {
+  if (options.kind != EquilibratorKind::Junction) {
+    return "Equilibrator = Newton is computed on the CPU alone";
+  }
+  if (options.junction.sweep != Sweep::Jacobi) {
+    return "Sweep = GaussSeidel, one junction after the other, is computed on the CPU alone";
+  }
+  return {};
+}
+
+std::string accelerator_obstacle(const CoarseningOptions& options) {
+  const std::string obstacle = accelerator_obstacle(options.equilibrator);
+  if (obstacle.empty() && options.topological_algorithm != TopologicalAlgorithm::Bidding) {
+    return "of the TopologicalAlgorithms only Bidding is computed there";
+  }
+  return obstacle;
+}
+
+} // namespace foam

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a parallel algorithm is written against: a machine with arrays of its own, loops and
+// reductions. Host is this machine; cuda/ has the GPU under the same names.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+#include "mesh/elements.h"
+
+namespace foam {
+
+/// The processor's own threads.
+class Host {
+public:
+  template <class T> using Array = std::vector<T>;
+
+  /// \param threads that a loop may use; 0 stands for all there are.
+  explicit Host(int threads = 0)
+      : threads_(threads > 0 ? static_cast<std::size_t>(threads)
+                             : std::max(1U, std::thread::hardware_concurrency())) {}
+
+  /// Calls kernel(i) for all i in [0, size), in no particular order and many at once.
+  template <class Kernel> void for_each(Index size, const Kernel& kernel) const {
+    const auto count = static_cast<std::size_t>(size);
+    const std::size_t pieces =
+        std::clamp<std::size_t>(count / least_per_thread<Kernel>(), 1, threads_);
+    const auto work = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        kernel(static_cast<Index>(i));
+      }
+    };
+    std::vector<std::jthread> others;
+    others.reserve(pieces - 1);
+    for (std::size_t piece = 1; piece < pieces; ++piece) {
+      others.emplace_back(work, piece * count / pieces, (piece + 1) * count / pieces);
+    }
+    work(0, count / pieces);
+  }
+
+  /// combine(… combine(combine(zero, map(0)), map(1)) …, map(size − 1)); the same bits every time.
+  template <class T, class Map, class Combine>
+  T reduce(Index size, T zero, const Map& map, const Combine& combine) const {
+    for (Index i = 0; i < size; ++i) {
+      zero = combine(zero, map(i));
+    }
+    return zero;
+  }
+
+private:
+  /// Fewer indices than these are not worth a thread of their own; a kernel that takes long for
+  /// each says so itself.
+  template <class Kernel> static constexpr std::size_t least_per_thread() {
+    if constexpr (requires { Kernel::kLeastPerThread; }) {
+      return Kernel::kLeastPerThread;
+    } else {
+      return 8192;
+    }
+  }
+
+  std::size_t threads_;
+};
+
+} // namespace foam

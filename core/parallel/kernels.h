@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Kernels and combinations that every parallel algorithm needs (parallel/host.h).
+#pragma once
+
+#include "mesh/elements.h"
+
+namespace foam::parallel {
+
+/// array[i] ← value
+template <class T> struct Fill {
+  T* array;
+  T value;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const { array[i] = value; }
+};
+
+struct Add {
+  template <class T> FOAM_HOST_DEVICE T operator()(const T& a, const T& b) const { return a + b; }
+};
+
+struct Or {
+  FOAM_HOST_DEVICE bool operator()(bool a, bool b) const { return a || b; }
+};
+
+} // namespace foam::parallel

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Local operations on the mesh, many at once, with a result that depends on the mesh alone: every
+// candidate bids for the bubbles that it touches, and goes ahead where none of them has had a lower
+// bid. Two operations that touch the same film or junction touch a common bubble, so that those
+// which go ahead do not meet.
+//
+// An operation has
+//   candidates(mesh)   how many candidates there may be, numbered from 0,
+//   key(mesh, i)       the bid of candidate i, no two alike; kNoBid where it cannot or will not,
+//   bubbles(mesh, i)   the bubbles that it touches,
+//   perform(mesh, i)   what it does. Nothing outside of these bubbles is read or written.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+#include "mesh/foam_view.h"
+#include "parallel/atomic.h"
+#include "parallel/kernels.h"
+
+namespace foam {
+
+inline constexpr std::uint64_t kNoBid = ~std::uint64_t{0};
+
+/// The bubbles around a candidate, filled up with kWorld, for which nobody has to bid: a junction
+/// on the world has two other bubbles.
+using Touched = std::array<Index, 5>;
+
+namespace detail {
+
+template <class Operation> struct PlaceBids {
+  FoamView mesh;
+  Operation operation;
+  std::uint64_t* bid;
+  std::uint64_t* lowest;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const {
+    const std::uint64_t key = operation.key(mesh, i);
+    bid[FoamView::size(i)] = key;
+    if (key != kNoBid) {
+      for (const Index b : operation.bubbles(mesh, i)) {
+        if (b != kWorld) {
+          atomic_min(lowest + b, key);
+        }
+      }
+    }
+  }
+};
+
+/// Takes back the bids that are not the lowest everywhere.
+template <class Operation> struct WithdrawBids {
+  FoamView mesh;
+  Operation operation;
+  std::uint64_t* bid;
+  const std::uint64_t* lowest;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const {
+    std::uint64_t& key = bid[FoamView::size(i)];
+    if (key != kNoBid) {
+      bool holds_all = true;
+      for (const Index b : operation.bubbles(mesh, i)) {
+        holds_all = holds_all && (b == kWorld || lowest[FoamView::size(b)] == key);
+      }
+      key = holds_all ? key : kNoBid;
+    }
+  }
+};
+
+template <class Operation> struct PerformBids {
+  FoamView mesh;
+  Operation operation;
+  const std::uint64_t* bid;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const {
+    if (bid[FoamView::size(i)] != kNoBid) {
+      FoamView changed = mesh;
+      operation.perform(changed, i);
+    }
+  }
+};
+
+template <class Operation> struct CountBid {
+  FoamView mesh;
+  Operation operation;
+  const std::uint64_t* bid;
+
+  FOAM_HOST_DEVICE auto operator()(Index i) const {
+    using Count = decltype(operation.count(mesh, i));
+    return bid[FoamView::size(i)] == kNoBid ? Count{} : operation.count(mesh, i);
+  }
+};
+
+} // namespace detail
+
+/// The schedule, on a machine (parallel/host.h).
+template <class Machine> class Bidding {
+public:
+  explicit Bidding(Machine& machine) : machine_(machine) {}
+
+  /// One round: those who hold all that they bid for go ahead. At least the lowest bid of all does.
+  /// \returns the sum of operation.count(mesh, i) over them, taken before they change the mesh.
+  template <class Operation> auto round(const FoamView& mesh, const Operation& operation) {
+    const Index candidates = operation.candidates(mesh);
+    bid_.resize(FoamView::size(candidates));
+    lowest_.resize(FoamView::size(mesh.bubbles));
+    machine_.for_each(mesh.bubbles, parallel::Fill<std::uint64_t>{lowest_.data(), kNoBid});
+    machine_.for_each(candidates,
+                      detail::PlaceBids<Operation>{mesh, operation, bid_.data(), lowest_.data()});
+    machine_.for_each(
+        candidates, detail::WithdrawBids<Operation>{mesh, operation, bid_.data(), lowest_.data()});
+    const detail::CountBid<Operation> count{mesh, operation, bid_.data()};
+    using Count = decltype(count(0));
+    const Count performed = machine_.reduce(candidates, Count{}, count, parallel::Add{});
+    machine_.for_each(candidates, detail::PerformBids<Operation>{mesh, operation, bid_.data()});
+    return performed;
+  }
+
+  /// Rounds until there is no candidate left. \returns the sum over all rounds.
+  template <class Operation> auto run(const FoamView& mesh, const Operation& operation) {
+    auto total = round(mesh, operation);
+    for (auto more = total; more.any();) {
+      more = round(mesh, operation);
+      total = total + more;
+    }
+    return total;
+  }
+
+private:
+  Machine& machine_;
+  typename Machine::template Array<std::uint64_t> bid_;
+  typename Machine::template Array<std::uint64_t> lowest_;
+};
+
+/// A key that comes before another if its rank is lower, else its size (≥ 0; to single precision),
+/// else its id.
+FOAM_HOST_DEVICE inline std::uint64_t bid_key(bool second_rank, double size, Index id) {
+  // The bits of floats that are not negative are ordered as the floats are.
+  const auto rounded = static_cast<float>(size);
+  std::uint32_t bits = 0;
+  static_assert(sizeof bits == sizeof rounded);
+  std::memcpy(&bits, &rounded, sizeof bits);
+  return (std::uint64_t{second_rank} << 63) | (std::uint64_t{bits} << 32) |
+         static_cast<std::uint32_t>(id);
+}
+
+} // namespace foam

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/bidding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "build/jittered_grid.h"
+#include "evolution/collapse_bids.h"
+#include "hand_made.h"
+#include "parallel/host.h"
+#include "topology/operations.h"
+
+namespace foam {
+namespace {
+
+Foam sample(Boundary boundary, Index bubbles, std::uint64_t seed) {
+  BuildOptions options;
+  options.boundary = boundary;
+  return build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
+}
+
+/// Swaps films of small bubbles until many of them have two sides.
+Foam with_two_sided_bubbles(Foam foam) {
+  for (int pass = 0; pass < 3; ++pass) {
+    for (Index f = 0; f < foam.film_capacity(); ++f) {
+      const auto few = [&](Index b) { return b != kWorld && foam.sides[Foam::size(b)] <= 5; };
+      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
+        perform_t1(foam, f);
+      }
+    }
+  }
+  expect_valid(foam);
+  return foam;
+}
+
+/// A machine that calls its kernels one by one in an order of its own.
+class Shuffled {
+public:
+  template <class T> using Array = std::vector<T>;
+
+  explicit Shuffled(unsigned seed) : generator_(seed) {}
+
+  template <class Kernel> void for_each(Index size, const Kernel& kernel) {
+    std::vector<Index> order(Foam::size(size));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::shuffle(order.begin(), order.end(), generator_);
+    std::for_each(order.begin(), order.end(), kernel);
+  }
+  template <class T, class Map, class Combine>
+  T reduce(Index size, T zero, const Map& map, const Combine& combine) const {
+    return Host(1).reduce(size, zero, map, combine);
+  }
+
+private:
+  std::mt19937 generator_;
+};
+
+/// Thresholds at which very many films and bubbles of a foam give way.
+ThesisRules coarse_rules() {
+  return {.limit = {.t1_length = 0.5, .t2_area = 0.7}, .two_sided = TwoSidedBubbles::Remove};
+}
+
+struct Collapsed {
+  Foam foam;
+  OperationCount performed;
+};
+
+template <class Machine> Collapsed collapsed(Machine machine, Foam foam, const ThesisRules& rules) {
+  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  const OperationCount performed =
+      Bidding<Machine>(machine).run(view_of(foam), CollapseBids{rules, swappable.data()});
+  return {std::move(foam), performed};
+}
+
+void expect_same(const Foam& a, const Foam& b) {
+  EXPECT_EQ(a.half_junction, b.half_junction);
+  EXPECT_EQ(a.half_bubble, b.half_bubble);
+  EXPECT_EQ(a.bubble_half, b.bubble_half);
+  EXPECT_EQ(a.junction_half, b.junction_half);
+  EXPECT_EQ(a.sides, b.sides);
+  EXPECT_EQ(a.film_wrap, b.film_wrap);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.film_angle, b.film_angle);
+  EXPECT_EQ(a.target_area, b.target_area);
+  EXPECT_EQ(a.pressure, b.pressure);
+}
+
+/// Performs the candidate with the lowest bid of all until there is none.
+OperationCount collapse_greedily(Foam& foam, const ThesisRules& rules) {
+  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  const CollapseBids bids{rules, swappable.data()};
+  FoamView mesh = view_of(foam);
+  OperationCount total;
+  while (true) {
+    Index best = 0;
+    for (Index i = 0; i < CollapseBids::candidates(mesh); ++i) {
+      best = bids.key(mesh, i) < bids.key(mesh, best) ? i : best;
+    }
+    if (bids.key(mesh, best) == kNoBid) {
+      return total;
+    }
+    total = total + CollapseBids::count(mesh, best);
+    bids.perform(mesh, best);
+  }
+}
+
+class Boundaries : public testing::TestWithParam<Boundary> {};
+INSTANTIATE_TEST_SUITE_P(Bidding, Boundaries,
+                         testing::Values(Boundary::Free, Boundary::Periodic, Boundary::Fixed));
+
+TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Foam foam = sample(GetParam(), 300, seed);
+    std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+    Host host;
+    Bidding<Host> bidding(host);
+    int rounds = 0;
+    for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
+      performed = bidding.round(view_of(foam), CollapseBids{coarse_rules(), swappable.data()});
+      expect_valid(foam);
+      count(foam, performed);
+      ASSERT_LT(rounds, 1000);
+    }
+    EXPECT_GT(foam.t1_count, 50);
+    EXPECT_GT(foam.t2_count, 5);
+    EXPECT_GT(rounds, 3);
+    EXPECT_EQ(foam.bubble_count(), 300 - foam.t2_count - foam.t3_count);
+  }
+}
+
+TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
+  Foam foam = sample(GetParam(), 400, 5);
+  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  const CollapseBids bids{coarse_rules(), swappable.data()};
+  const FoamView mesh = view_of(foam);
+  std::vector<std::uint64_t> lowest(foam.bubble_half.size(), kNoBid);
+  std::vector<std::uint64_t> bid(Foam::size(CollapseBids::candidates(mesh)));
+  Host host;
+  host.for_each(CollapseBids::candidates(mesh),
+                detail::PlaceBids<CollapseBids>{mesh, bids, bid.data(), lowest.data()});
+  host.for_each(CollapseBids::candidates(mesh),
+                detail::WithdrawBids<CollapseBids>{mesh, bids, bid.data(), lowest.data()});
+  std::set<Index> taken;
+  int winners = 0;
+  for (Index i = 0; i < CollapseBids::candidates(mesh); ++i) {
+    if (bid[Foam::size(i)] != kNoBid) {
+      ++winners;
+      std::set<Index> own;
+      for (const Index b : CollapseBids::bubbles(mesh, i)) {
+        own.insert(b);
+      }
+      own.erase(kWorld);
+      for (const Index b : own) {
+        EXPECT_TRUE(taken.insert(b).second) << b;
+      }
+    }
+  }
+  EXPECT_GT(winners, 10);
+}
+
+TEST_P(Boundaries, ResultDoesNotDependOnTheOrderOfVisiting) {
+  const Foam start = sample(GetParam(), 300, 2);
+  const Collapsed one = collapsed(Host(1), start, coarse_rules());
+  EXPECT_GT(one.performed.t1 + one.performed.t2, 100);
+  for (const int threads : {2, 5}) {
+    const Collapsed many = collapsed(Host(threads), start, coarse_rules());
+    EXPECT_EQ(many.performed, one.performed);
+    expect_same(many.foam, one.foam);
+  }
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Collapsed shuffled = collapsed(Shuffled(seed), start, coarse_rules());
+    EXPECT_EQ(shuffled.performed, one.performed);
+    expect_same(shuffled.foam, one.foam);
+  }
+}
+
+/// As long as no operation makes a candidate that would have come before one that went ahead
+/// elsewhere, the rounds do what a greedy walk in the order of the bids does.
+TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Foam start = sample(GetParam(), 200, seed);
+    const ThesisRules rules{.limit = {.t1_length = 0.4, .t2_area = 0.4},
+                            .two_sided = TwoSidedBubbles::Remove};
+    Foam greedy = start;
+    const OperationCount expected = collapse_greedily(greedy, rules);
+    const Collapsed rounds = collapsed(Host(), start, rules);
+    EXPECT_GT(expected.t1, 5);
+    EXPECT_EQ(rounds.performed, expected);
+    expect_same(rounds.foam, greedy);
+  }
+}
+
+TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
+  const Foam start = with_two_sided_bubbles(sample(GetParam(), 300, 3));
+  const ThesisRules rules{.limit = {.t1_length = 0, .t2_area = 1e9},
+                          .two_sided = TwoSidedBubbles::Remove};
+  const Collapsed rounds = collapsed(Host(), start, rules);
+  expect_valid(rounds.foam);
+  EXPECT_GT(rounds.performed.t3, 5);
+  EXPECT_EQ(rounds.foam.bubble_count(),
+            start.bubble_count() - rounds.performed.t2 - rounds.performed.t3);
+}
+
+TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
+  Foam serial = with_two_sided_bubbles(sample(GetParam(), 300, 4));
+  Foam parallel = serial;
+  const ThesisRules rules{.limit = {.t1_length = 0.05, .t2_area = 0},
+                          .two_sided = TwoSidedBubbles::Slide};
+  std::int64_t slid = 0;
+  for (Index b = 0; b < serial.bubble_capacity(); ++b) {
+    if (serial.has_bubble(b) && serial.sides[Foam::size(b)] == 2 && rules.slides(serial, b)) {
+      slide_two_sided_bubble(serial, b, rules.sliding_distance());
+      ++slid;
+    }
+  }
+  std::vector<std::uint8_t> waiting(parallel.bubble_half.size(), 1);
+  Host host;
+  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules, waiting.data()}).slid,
+            slid);
+  EXPECT_GT(slid, 10);
+  expect_same(parallel, serial);
+}
+
+TEST(BidKey, OrdersByRankThenSizeThenNumber) {
+  EXPECT_LT(bid_key(false, 10, 9), bid_key(true, 0, 0));
+  EXPECT_LT(bid_key(true, 0.1, 9), bid_key(true, 0.2, 0));
+  EXPECT_LT(bid_key(true, 0, 9), bid_key(true, 1e-30, 0));
+  EXPECT_LT(bid_key(true, 0.1, 3), bid_key(true, 0.1, 4));
+  EXPECT_NE(bid_key(true, 1e30, 2147483647), kNoBid);
+}
+
+} // namespace
+} // namespace foam

@@ -19,8 +19,11 @@ public:
   template <class T> using Array = std::vector<T>;
 
   /// \param threads that a loop may use; 0 stands for all there are.
-  explicit Host(int threads = 0)
-      : threads_(threads > 0 ? static_cast<std::size_t>(threads)
+  /// \param least_per_thread fewer indices than these are not worth a thread of their own; a kernel
+  /// that takes long for each of them says so itself.
+  explicit Host(int threads = 0, std::size_t least_per_thread = 8192)
+      : least_per_thread_(least_per_thread),
+        threads_(threads > 0 ? static_cast<std::size_t>(threads)
                              : std::max(1U, std::thread::hardware_concurrency())) {}
 
   /// Calls kernel(i) for all i in [0, size), in no particular order and many at once.
@@ -51,16 +54,15 @@ public:
   }
 
 private:
-  /// Fewer indices than these are not worth a thread of their own; a kernel that takes long for
-  /// each says so itself.
-  template <class Kernel> static constexpr std::size_t least_per_thread() {
+  template <class Kernel> std::size_t least_per_thread() const {
     if constexpr (requires { Kernel::kLeastPerThread; }) {
-      return Kernel::kLeastPerThread;
+      return std::min(Kernel::kLeastPerThread, least_per_thread_);
     } else {
-      return 8192;
+      return least_per_thread_;
     }
   }
 
+  std::size_t least_per_thread_;
   std::size_t threads_;
 };
 

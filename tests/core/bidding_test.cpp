@@ -167,7 +167,7 @@ TEST_P(Boundaries, ResultDoesNotDependOnTheOrderOfVisiting) {
   const Collapsed one = collapsed(Host(1), start, coarse_rules());
   EXPECT_GT(one.performed.t1 + one.performed.t2, 100);
   for (const int threads : {2, 5}) {
-    const Collapsed many = collapsed(Host(threads), start, coarse_rules());
+    const Collapsed many = collapsed(Host(threads, 16), start, coarse_rules());
     EXPECT_EQ(many.performed, one.performed);
     expect_same(many.foam, one.foam);
   }
@@ -218,7 +218,7 @@ TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
     }
   }
   std::vector<std::uint8_t> waiting(parallel.bubble_half.size(), 1);
-  Host host;
+  Host host(4, 16);
   EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules, waiting.data()}).slid,
             slid);
   EXPECT_GT(slid, 10);

@@ -89,7 +89,7 @@ TEST(ParallelFrame, DoesNotDependOnTheNumberOfThreads) {
       options_of({Boundary::Free, TwoSidedBubbles::Remove, true, true, false});
   const auto coarsened = [&](int threads) {
     Foam foam = sample(Boundary::Free, 500, 1);
-    Host host(threads);
+    Host host(threads, 128);
     ParallelFrame<Host> frame(host, options);
     for (int i = 0; i < 3; ++i) {
       EXPECT_TRUE(frame.advance(view_of(foam), {}).performed);

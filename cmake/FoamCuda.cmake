@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Whether the GPU's part of the core is built: FOAM_CUDA_FOUND, and the language CUDA enabled.
+set(FOAM_CUDA AUTO CACHE STRING "Build for NVIDIA GPUs: ON, OFF, or AUTO where a CUDA compiler is found")
+set_property(CACHE FOAM_CUDA PROPERTY STRINGS AUTO ON OFF)
+
+set(FOAM_CUDA_FOUND FALSE)
+if(FOAM_CUDA)
+  if(NOT CMAKE_CUDA_ARCHITECTURES)
+    # Machine code for these, and PTX that the driver of a later one compiles.
+    set(CMAKE_CUDA_ARCHITECTURES 75-real 80-real 86-real 89-real 90)
+  endif()
+  find_program(CMAKE_CUDA_COMPILER nvcc HINTS ENV CUDACXX ENV CUDA_PATH PATHS /usr/local/cuda
+    PATH_SUFFIXES bin)
+  if(CMAKE_CUDA_COMPILER)
+    enable_language(CUDA)
+    if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION) # which CMake before 3.26 does not know of nvcc
+      set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+      set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+    endif()
+    find_package(CUDAToolkit REQUIRED)
+    set(FOAM_CUDA_FOUND TRUE)
+  elseif(NOT FOAM_CUDA STREQUAL AUTO)
+    message(FATAL_ERROR "FOAM_CUDA is on, but no CUDA compiler (nvcc) is found")
+  else()
+    message(STATUS "No CUDA compiler: without support for GPUs")
+  endif()
+endif()

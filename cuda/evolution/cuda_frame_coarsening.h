@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "evolution/coarsening.h"
+
+namespace foam::cuda {
+
+/// core's FrameCoarsening with Sweep::Jacobi and TopologicalAlgorithm::Bidding, on the device,
+/// where the foam stays: it is sent there by restart() and fetched by foam(). In a frame nothing
+/// crosses but the results of reductions.
+/// \throws FoamError for options of the equilibrator out of range, and when the device fails.
+std::unique_ptr<Coarsening> make_frame_coarsening(const CoarseningOptions& options);
+
+} // namespace foam::cuda

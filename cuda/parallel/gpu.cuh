@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cub/device/device_reduce.cuh>
+#include <thrust/iterator/counting_iterator.h>
+
+#include <cstddef>
+
+#include "mesh/elements.h"
+#include "parallel/device_array.h"
+
+namespace foam::cuda {
+
+template <class Kernel> __global__ void call_for_each(Index size, Kernel kernel) {
+  const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
+  if (i < size) {
+    kernel(i);
+  }
+}
+
+/// The GPU as a machine for parallel algorithms, under the names of core's Host
+/// (core/parallel/host.h). Everything runs on the default stream, one after the other; only
+/// reduce() waits for it.
+class Gpu {
+public:
+  template <class T> using Array = DeviceArray<T>;
+
+  /// Calls kernel(i) for all i in [0, size), in no particular order and many at once.
+  template <class Kernel> void for_each(Index size, const Kernel& kernel) {
+    if (size > 0) {
+      const auto blocks = static_cast<unsigned>((size + kThreads - 1) / kThreads);
+      call_for_each<<<blocks, kThreads>>>(size, kernel);
+      check(cudaGetLastError(), "a kernel's launch");
+    }
+  }
+
+  /// zero, map(0), …, map(size − 1) combined; in an order that is the same every time on one
+  /// device (CUB: run-to-run deterministic).
+  template <class T, class Map, class Combine>
+  T reduce(Index size, T zero, const Map& map, const Combine& combine) {
+    result_.resize(sizeof(T));
+    T* const result = reinterpret_cast<T*>(result_.data());
+    const thrust::counting_iterator<Index> indices(0);
+    std::size_t bytes = 0;
+    check(cub::DeviceReduce::TransformReduce(nullptr, bytes, indices, result, size, combine, map,
+                                             zero),
+          "a reduction");
+    scratch_.resize(bytes);
+    check(cub::DeviceReduce::TransformReduce(scratch_.data(), bytes, indices, result, size, combine,
+                                             map, zero),
+          "a reduction");
+    T value = zero;
+    check(cudaMemcpy(&value, result, sizeof(T), cudaMemcpyDeviceToHost), "cudaMemcpy");
+    return value;
+  }
+
+private:
+  static constexpr Index kThreads = 128; // to a block
+
+  DeviceArray<std::byte> scratch_;
+  DeviceArray<std::byte> result_;
+};
+
+} // namespace foam::cuda

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The device against the processor: the same algorithms on two machines (core/parallel/host.h,
+// cuda/parallel/gpu.cuh). The processor's results are tested by themselves (tests/core).
+#include <cuda_runtime_api.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <vector>
+
+#include "build/honeycomb.h"
+#include "evolution/coarsening.h"
+#include "evolution/collapse_bids.h"
+#include "junction/jacobi_sweep.h"
+#include "mesh/device_foam.h"
+#include "mesh/film_set.h"
+#include "mesh/validate.h"
+#include "parallel/gpu.cuh"
+#include "parallel/host.h"
+#include "testing.h"
+#include "topology/bidding.h"
+
+namespace foam {
+namespace {
+
+using cuda::DeviceArray;
+using cuda::DeviceFoam;
+using cuda::Gpu;
+
+Foam disordered(Index columns = 40) {
+  return honeycomb({.columns = columns, .rows = columns, .displacement = 0.1, .swaps = 0.2});
+}
+
+/// Thresholds at which many films and bubbles of such a foam give way.
+ThesisRules coarse_rules(TwoSidedBubbles two_sided = TwoSidedBubbles::Remove) {
+  return {.limit = {.t1_length = 0.5, .t2_area = 0.8}, .two_sided = two_sided};
+}
+
+void expect_same_topology(const Foam& a, const Foam& b) {
+  EXPECT_TRUE(a.half_junction == b.half_junction);
+  EXPECT_TRUE(a.half_bubble == b.half_bubble);
+  EXPECT_TRUE(a.junction_half == b.junction_half);
+  EXPECT_TRUE(a.bubble_half == b.bubble_half);
+  EXPECT_TRUE(a.sides == b.sides);
+  EXPECT_TRUE(a.film_wrap == b.film_wrap);
+}
+
+double largest_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, norm(a[i] - b[i]));
+  }
+  return largest;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  }
+  return largest;
+}
+
+struct Square {
+  FOAM_HOST_DEVICE std::int64_t operator()(Index i) const { return std::int64_t{i} * i; }
+};
+
+struct WriteSquare {
+  std::int64_t* to;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const { to[i] = Square{}(i); }
+};
+
+void reductions() {
+  Gpu gpu;
+  for (const Index n : {0, 1, 127, 128, 129, 1000000}) {
+    const std::int64_t m = n;
+    EXPECT_EQ(gpu.reduce(n, std::int64_t{5}, Square{}, parallel::Add{}),
+              5 + (m - 1) * m * (2 * m - 1) / 6);
+  }
+}
+
+void arrays() {
+  Gpu gpu;
+  const Index n = 100001;
+  DeviceArray<std::int64_t> squares(n);
+  gpu.for_each(n, WriteSquare{squares.data()});
+  std::vector<std::int64_t> fetched;
+  squares.download(fetched);
+  for (Index i = 0; i < n; ++i) {
+    EXPECT_EQ(fetched[Foam::size(i)], Square{}(i));
+  }
+  DeviceArray<std::int64_t> copy;
+  copy.copy_from(squares);
+  std::vector<std::int64_t> fetched_copy;
+  copy.download(fetched_copy);
+  EXPECT_TRUE(fetched_copy == fetched);
+
+  const Foam foam = disordered();
+  DeviceFoam device;
+  device.upload(foam);
+  Foam back = disordered(4);
+  device.download(back);
+  expect_same_topology(back, foam);
+  EXPECT_TRUE(back.position == foam.position);
+  EXPECT_TRUE(back.target_area == foam.target_area);
+}
+
+void update_order() {
+  Foam foam = disordered();
+  DeviceFoam device;
+  device.upload(foam);
+  Gpu gpu;
+  Host host;
+  junction::UpdateOrder<Gpu> on_gpu(gpu);
+  junction::UpdateOrder<Host> on_host(host);
+  for (const int reach : {0, 1, 2}) {
+    on_gpu.find(device.view(), reach);
+    on_host.find(view_of(foam), reach);
+    EXPECT_EQ(on_gpu.waves(), on_host.waves());
+    std::vector<Index> waves(foam.position.size());
+    cuda::check(cudaMemcpy(waves.data(), on_gpu.wave(), waves.size() * sizeof(Index),
+                           cudaMemcpyDeviceToHost),
+                "cudaMemcpy");
+    EXPECT_TRUE(std::equal(waves.begin(), waves.end(), on_host.wave()));
+  }
+}
+
+void sweep() {
+  for (const bool orientation : {false, true}) {
+    for (const RootSearch search : {RootSearch::Angles, RootSearch::Energies}) {
+      JunctionOptions options;
+      options.orientation_invariant = orientation;
+      options.root_search = search;
+      Foam foam = disordered();
+      DeviceFoam device;
+      device.upload(foam);
+      Gpu gpu;
+      Host host;
+      junction::JacobiSweep<Gpu> on_gpu(gpu, options);
+      junction::JacobiSweep<Host> on_host(host, options);
+      on_gpu.prepare(device.view());
+      on_host.prepare(view_of(foam));
+      const junction::Maxima there = on_gpu.sweep(device.view());
+      const junction::Maxima here = on_host.sweep(view_of(foam));
+      EXPECT_GT(here.position, 1e-3);
+      EXPECT_NEAR(there.position, here.position, 1e-9);
+      EXPECT_NEAR(there.pressure, here.pressure, 1e-9);
+      EXPECT_EQ(there.solvable, here.solvable);
+      Foam fetched = foam;
+      device.download(fetched);
+      EXPECT_NEAR(largest_difference(fetched.position, foam.position), 0, 1e-9);
+      EXPECT_NEAR(largest_difference(fetched.pressure, foam.pressure), 0, 1e-9);
+    }
+  }
+}
+
+void bidding() {
+  Foam foam = disordered();
+  DeviceFoam device;
+  device.upload(foam);
+  Gpu gpu;
+  Host host;
+  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  DeviceArray<std::uint8_t> swappable_there(swappable);
+  const OperationCount there =
+      Bidding<Gpu>(gpu).run(device.view(), CollapseBids{coarse_rules(), swappable_there.data()});
+  const OperationCount here =
+      Bidding<Host>(host).run(view_of(foam), CollapseBids{coarse_rules(), swappable.data()});
+  EXPECT_GT(here.t1, 100);
+  EXPECT_EQ(there.t1, here.t1);
+  EXPECT_EQ(there.t2, here.t2);
+  EXPECT_EQ(there.t3, here.t3);
+  Foam fetched = foam;
+  device.download(fetched);
+  EXPECT_TRUE(validate(fetched).empty());
+  expect_same_topology(fetched, foam);
+  EXPECT_NEAR(largest_difference(fetched.position, foam.position), 0, 1e-9);
+  EXPECT_NEAR(largest_difference(fetched.target_area, foam.target_area), 0, 1e-9);
+}
+
+/// Swaps films until many bubbles have two sides.
+Foam with_two_sided_bubbles() {
+  Foam foam = disordered();
+  for (int pass = 0; pass < 3; ++pass) {
+    for (Index f = 0; f < foam.film_capacity(); ++f) {
+      const auto few = [&](Index b) { return foam.sides[Foam::size(b)] <= 5; };
+      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
+        swap_film(foam, f);
+      }
+    }
+  }
+  return foam;
+}
+
+void sliding() {
+  Foam foam = with_two_sided_bubbles();
+  DeviceFoam device;
+  device.upload(foam);
+  Gpu gpu;
+  Host host;
+  const ThesisRules rules = coarse_rules(TwoSidedBubbles::Slide);
+  std::vector<std::uint8_t> waiting(foam.bubble_half.size(), 1);
+  DeviceArray<std::uint8_t> waiting_there(waiting);
+  const auto there = Bidding<Gpu>(gpu).run(device.view(), SlideBids{rules, waiting_there.data()});
+  const auto here = Bidding<Host>(host).run(view_of(foam), SlideBids{rules, waiting.data()});
+  EXPECT_GT(here.slid, 10);
+  EXPECT_EQ(there.slid, here.slid);
+  Foam fetched = foam;
+  device.download(fetched);
+  EXPECT_NEAR(largest_difference(fetched.position, foam.position), 0, 1e-9);
+  EXPECT_NEAR(largest_difference(fetched.film_angle, foam.film_angle), 0, 1e-9);
+}
+
+CoarseningOptions options_on(Device device) {
+  CoarseningOptions options;
+  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.equilibrator.kind = EquilibratorKind::Junction;
+  options.equilibrator.device = device;
+  return options;
+}
+
+Foam coarsened(const CoarseningOptions& options, Foam foam, int frames) {
+  const auto coarsening = make_coarsening(options);
+  coarsening->restart(std::move(foam));
+  for (int frame = 0; frame < frames; ++frame) {
+    EXPECT_TRUE(coarsening->advance({}));
+  }
+  return coarsening->foam();
+}
+
+void frames() {
+  for (const TwoSidedBubbles two_sided : {TwoSidedBubbles::Remove, TwoSidedBubbles::Slide}) {
+    for (const bool relative : {false, true}) {
+      const auto on = [&](Device device) {
+        CoarseningOptions options = options_on(device);
+        options.two_sided_bubbles = two_sided;
+        options.thresholds.relative = relative;
+        return coarsened(options, disordered(20), 10);
+      };
+      const Foam there = on(Device::CUDA);
+      const Foam here = on(Device::CPU);
+      EXPECT_TRUE(validate(there).empty());
+      EXPECT_EQ(there.t1_count, here.t1_count);
+      EXPECT_EQ(there.t2_count, here.t2_count);
+      EXPECT_EQ(there.t3_count, here.t3_count);
+      EXPECT_EQ(there.time, here.time);
+      EXPECT_EQ(there.report.iterations, here.report.iterations);
+      expect_same_topology(there, here);
+      EXPECT_NEAR(there.energy() / here.energy(), 1, 1e-8);
+    }
+  }
+}
+
+void repetition() {
+  const auto run = [] { return coarsened(options_on(Device::CUDA), disordered(), 5); };
+  const Foam once = run();
+  const Foam again = run();
+  EXPECT_TRUE(once.position == again.position);
+  EXPECT_TRUE(once.pressure == again.pressure);
+  EXPECT_TRUE(once.film_angle == again.film_angle);
+  EXPECT_TRUE(once.target_area == again.target_area);
+  expect_same_topology(once, again);
+}
+
+Foam double_bubble() {
+  FilmSet set;
+  set.surface_tension = 0.25;
+  set.junctions = {{0, -0.5}, {0, 0.5}};
+  set.films = {{0, 1, 0, 1, 0.0, {}}, {1, 0, 0, -1, 1.3, {}}, {0, 1, 1, -1, 1.3, {}}};
+  set.bubbles = {{0, 0.0, 1}, {1, 0.0, 3}};
+  return foam_of(set);
+}
+
+void end() {
+  CoarseningOptions options = options_on(Device::CUDA);
+  options.thresholds.t2_area = 2;
+  const auto coarsening = make_coarsening(options);
+  coarsening->restart(double_bubble());
+  EXPECT_TRUE(!coarsening->advance({}));
+  EXPECT_TRUE(coarsening->foam().target_area == double_bubble().target_area);
+}
+
+void abort() {
+  const Foam start = disordered(20);
+  const auto coarsening = make_coarsening(options_on(Device::CUDA));
+  coarsening->restart(start);
+  bool aborted = false;
+  try {
+    coarsening->advance([] { return true; });
+  } catch (const Aborted&) {
+    aborted = true;
+  }
+  EXPECT_TRUE(aborted);
+  EXPECT_TRUE(coarsening->foam().position == start.position);
+  EXPECT_TRUE(coarsening->foam().target_area == start.target_area);
+}
+
+void equilibrator() {
+  const auto equilibrated = [](Device device) {
+    Foam foam = disordered(20);
+    make_equilibrator(options_on(device).equilibrator)->equilibrate(foam, 0, {});
+    return foam;
+  };
+  const Foam there = equilibrated(Device::CUDA);
+  const Foam here = equilibrated(Device::CPU);
+  EXPECT_EQ(there.report.iterations, here.report.iterations);
+  EXPECT_EQ(there.report.converged, here.report.converged);
+  EXPECT_NEAR(there.report.residual, here.report.residual, 1e-8);
+  EXPECT_NEAR(largest_difference(there.position, here.position), 0, 1e-8);
+}
+
+} // namespace
+} // namespace foam
+
+int main(int argc, char** argv) {
+  using namespace foam;
+  const std::map<std::string, std::function<void()>> tests = {{"reductions", reductions},
+                                                              {"arrays", arrays},
+                                                              {"update_order", update_order},
+                                                              {"sweep", sweep},
+                                                              {"bidding", bidding},
+                                                              {"sliding", sliding},
+                                                              {"frames", frames},
+                                                              {"repetition", repetition},
+                                                              {"end", end},
+                                                              {"abort", foam::abort},
+                                                              {"equilibrator", equilibrator}};
+  int devices = 0;
+  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
+    std::cout << "SKIPPED: there is no CUDA device\n";
+    return 77;
+  }
+  for (const auto& [name, test] : tests) {
+    if (argc < 2 || name == argv[1]) {
+      std::cout << name << std::endl;
+      test();
+    }
+  }
+  return test::failures > 0 || (argc > 1 && !tests.contains(argv[1])) ? 1 : 0;
+}

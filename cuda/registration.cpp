@@ -12,12 +12,17 @@ namespace foam::cuda {
 namespace {
 
 std::string unavailable() {
+  const std::string nothing = "there is no CUDA device to use: ";
+  int driver = 0;
   int devices = 0;
+  if (cudaDriverGetVersion(&driver) == cudaSuccess && driver == 0) {
+    return nothing + "no driver is loaded";
+  }
   const cudaError_t status = cudaGetDeviceCount(&devices);
   if (status != cudaSuccess) {
-    return std::string("there is no CUDA device to use: ") + cudaGetErrorString(status);
+    return nothing + cudaGetErrorString(status);
   }
-  return devices > 0 ? "" : "there is no CUDA device";
+  return devices > 0 ? "" : nothing + "there are 0";
 }
 
 [[maybe_unused]] const bool registered = [] {

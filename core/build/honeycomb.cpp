@@ -32,7 +32,8 @@ void check(const HoneycombOptions& options) {
 
 /// A place in the rows and columns, brought back onto the torus.
 struct Site {
-  Index column, row;
+  Index column = 0;
+  Index row = 0;
   Wrap wrap;
 };
 

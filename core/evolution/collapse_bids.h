@@ -51,7 +51,7 @@ FOAM_HOST_DEVICE inline Touched around_two_sided(const FoamView& mesh, Index bub
 /// since, so that there is an end.
 struct CollapseBids {
   ThesisRules rules;
-  std::uint8_t* swappable; ///< of a film: not swapped yet; all 1 in the beginning
+  std::uint8_t* swappable = nullptr; ///< of a film: not swapped yet; all 1 in the beginning
 
   /// Bubbles first, then films.
   FOAM_HOST_DEVICE static Index candidates(const FoamView& mesh) {
@@ -114,7 +114,7 @@ struct CollapseBids {
 /// Sliding of two-sided bubbles, in the order of their numbers.
 struct SlideBids {
   ThesisRules rules;
-  std::uint8_t* waiting; ///< of a bubble: not slid yet; all 1 in the beginning
+  std::uint8_t* waiting = nullptr; ///< of a bubble: not slid yet; all 1 in the beginning
 
   struct Count {
     std::int64_t slid = 0;

@@ -32,8 +32,8 @@ struct BubbleSums {
 /// dA^τ/dt of a bubble (area_rates), cm²/s, but for the share of what a container's total is off.
 struct AreaRate {
   FoamView mesh;
-  double constant;     ///< von Neumann's K, cm²/s
-  double permeability; ///< κ
+  double constant = 0;     ///< von Neumann's K, cm²/s
+  double permeability = 0; ///< κ
 
   FOAM_HOST_DEVICE bool at_wall(Index bubble) const {
     return mesh.boundary == Boundary::Fixed && mesh.bubble_on_world(bubble);
@@ -69,8 +69,8 @@ struct SumBubble {
 /// A^τ ← A^τ + dA/dt·Δt (3.7.1).
 struct Diffuse {
   AreaRate rate;
-  double correction; ///< of the rates at the wall, cm²/s
-  double time_step;  ///< s
+  double correction = 0; ///< of the rates at the wall, cm²/s
+  double time_step = 0;  ///< s
 
   FOAM_HOST_DEVICE void operator()(Index bubble) const {
     if (rate.mesh.has_bubble(bubble)) {
@@ -82,7 +82,7 @@ struct Diffuse {
 
 struct IsGone {
   FoamView mesh;
-  double t2_area;
+  double t2_area = 0;
 
   FOAM_HOST_DEVICE bool operator()(Index bubble) const {
     return mesh.has_bubble(bubble) &&
@@ -91,8 +91,8 @@ struct IsGone {
 };
 
 struct KeepAbove {
-  double* target_area;
-  double least;
+  double* target_area = nullptr;
+  double least = 0;
 
   FOAM_HOST_DEVICE void operator()(Index bubble) const {
     target_area[bubble] = std::max(target_area[bubble], least);

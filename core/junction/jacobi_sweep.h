@@ -44,7 +44,7 @@ struct Solve {
 
   FoamView mesh;
   JunctionOptions options;
-  JunctionStep* step;
+  JunctionStep* step = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index junction) const {
     if (mesh.has_junction(junction)) {
@@ -56,10 +56,10 @@ struct Solve {
 struct Move {
   FoamView mesh;
   JunctionOptions options;
-  Index wave;
-  const Index* wave_of;
-  const JunctionStep* step;
-  JunctionChange* change;
+  Index wave = 0;
+  const Index* wave_of = nullptr;
+  const JunctionStep* step = nullptr;
+  JunctionChange* change = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index junction) const {
     if (wave_of[junction] == wave && mesh.has_junction(junction)) {
@@ -71,7 +71,7 @@ struct Move {
 
 struct GatherPressure {
   FoamView mesh;
-  const JunctionChange* change;
+  const JunctionChange* change = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index bubble) const {
     if (mesh.has_bubble(bubble)) {
@@ -89,7 +89,7 @@ struct GatherPressure {
 
 struct MaximaOf {
   FoamView mesh;
-  const JunctionChange* change;
+  const JunctionChange* change = nullptr;
 
   FOAM_HOST_DEVICE Maxima operator()(Index junction) const {
     Maxima maxima;

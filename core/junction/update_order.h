@@ -40,10 +40,10 @@ inline constexpr Index kWaiting = -1;
 /// Puts the junctions that wait for nobody into a wave.
 struct JoinWave {
   FoamView mesh;
-  int reach;
-  Index wave;
-  const Index* before; ///< waves of junctions; kWaiting if not known yet
-  Index* after;
+  int reach = 0;
+  Index wave = 0;
+  const Index* before = nullptr; ///< waves of junctions; kWaiting if not known yet
+  Index* after = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index junction) const {
     const Index known = before[junction];
@@ -72,7 +72,7 @@ struct JoinWave {
 
 struct IsWaiting {
   FoamView mesh;
-  const Index* wave;
+  const Index* wave = nullptr;
 
   FOAM_HOST_DEVICE bool operator()(Index junction) const {
     return mesh.has_junction(junction) && wave[junction] == kWaiting;

@@ -62,7 +62,7 @@ std::string accelerator_obstacle(const EquilibratorOptions& options) {
 }
 
 std::string accelerator_obstacle(const CoarseningOptions& options) {
-  const std::string obstacle = accelerator_obstacle(options.equilibrator);
+  std::string obstacle = accelerator_obstacle(options.equilibrator);
   if (obstacle.empty() && options.topological_algorithm != TopologicalAlgorithm::Bidding) {
     return "of the TopologicalAlgorithms only Bidding is computed there";
   }

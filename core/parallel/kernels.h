@@ -9,8 +9,8 @@ namespace foam::parallel {
 
 /// array[i] ← value
 template <class T> struct Fill {
-  T* array;
-  T value;
+  T* array = nullptr;
+  T value{};
 
   FOAM_HOST_DEVICE void operator()(Index i) const { array[i] = value; }
 };

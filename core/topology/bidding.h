@@ -33,8 +33,8 @@ namespace detail {
 template <class Operation> struct PlaceBids {
   FoamView mesh;
   Operation operation;
-  std::uint64_t* bid;
-  std::uint64_t* lowest;
+  std::uint64_t* bid = nullptr;
+  std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     const std::uint64_t key = operation.key(mesh, i);
@@ -53,8 +53,8 @@ template <class Operation> struct PlaceBids {
 template <class Operation> struct WithdrawBids {
   FoamView mesh;
   Operation operation;
-  std::uint64_t* bid;
-  const std::uint64_t* lowest;
+  std::uint64_t* bid = nullptr;
+  const std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     std::uint64_t& key = bid[FoamView::size(i)];
@@ -71,7 +71,7 @@ template <class Operation> struct WithdrawBids {
 template <class Operation> struct PerformBids {
   FoamView mesh;
   Operation operation;
-  const std::uint64_t* bid;
+  const std::uint64_t* bid = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     if (bid[FoamView::size(i)] != kNoBid) {
@@ -84,7 +84,7 @@ template <class Operation> struct PerformBids {
 template <class Operation> struct CountBid {
   FoamView mesh;
   Operation operation;
-  const std::uint64_t* bid;
+  const std::uint64_t* bid = nullptr;
 
   FOAM_HOST_DEVICE auto operator()(Index i) const {
     using Count = decltype(operation.count(mesh, i));

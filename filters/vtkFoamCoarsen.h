@@ -38,7 +38,7 @@ public:
 
   enum ThresholdsType { Absolute = 0, Relative = 1 };
   enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
-  enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2 };
+  enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2, Bidding = 3 };
 
   ///@{
   /**
@@ -112,9 +112,10 @@ public:
    * Equilibrator Junction: the order of the topological operations in a frame. Final (default)
    * follows every cascade (thesis Figure 4.8); the two before it are there for comparison: Original
    * walks over the junctions once and equilibrates those where nothing gives way (Figure 4.4),
-   * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6).
+   * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6). Bidding
+   * carries out many operations at once, where they do not meet; a GPU computes this one alone.
    */
-  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Improved);
+  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Bidding);
   vtkGetMacro(TopologicalAlgorithm, int);
   ///@}
 

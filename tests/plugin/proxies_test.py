@@ -46,7 +46,7 @@ CHOICES = {
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
     "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
-                    "TopologicalAlgorithm": ["Final", "Original", "Improved"],
+                    "TopologicalAlgorithm": ["Final", "Original", "Improved", "Bidding"],
                     **EQUILIBRATOR_CHOICES},
     "FoamStatistics": {},
     "FoamEnsembleStatistics": {},

@@ -25,6 +25,13 @@ def font(size):
     return ImageFont.truetype(font_manager.findfont("DejaVu Sans"), size)
 
 
+def picture_of(view):
+    with tempfile.TemporaryDirectory() as folder:
+        path = str(Path(folder) / "part.png")
+        SaveScreenshot(path, view, ImageResolution=list(view.ViewSize))
+        return Image.open(path).convert("RGB")
+
+
 class Scene:
     """A view from above on films, of which pictures are taken part by part."""
 
@@ -48,10 +55,7 @@ class Scene:
         return display
 
     def picture(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = str(Path(folder) / "part.png")
-            SaveScreenshot(path, self.view, ImageResolution=list(self.view.ViewSize))
-            return Image.open(path).convert("RGB")
+        return picture_of(self.view)
 
 
 def side_by_side(parts, columns):

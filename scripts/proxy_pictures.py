@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the pictures of docs/proxies/, for scripts/update-pictures: pvpython proxy_pictures.py FOLDER."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from film_pictures import *
+
+SIDES = range(3, 10)
+
+
+def show_bubbles(bubbles, view):
+    Show(bubbles, view, Ambient=1, Diffuse=0)
+
+
+def show_foam(scene, foam, **properties):
+    show_bubbles(OutputPort(foam, 1), scene.view)
+    return scene.show(OutputPort(foam, 0), "Foam Films", **{"FilmWidth": 2.5, **properties})
+
+
+def with_colours_of_sides(picture):
+    """The picture, and below it what its colours mean."""
+    colours = GetColorTransferFunction("Sides").GetClientSideObject()
+    whole = Image.new("RGB", (picture.width, picture.height + 44), "white")
+    whole.paste(picture, (0, 0))
+    draw, side = ImageDraw.Draw(whole), 26
+    x, y = picture.width / 2 - (len(SIDES) * 74 + 60) / 2, picture.height + 9
+    draw.text((x, y + side / 2), "sides", fill="black", font=font(20), anchor="lm")
+    for i, n in enumerate(SIDES):
+        left, rgb = x + 72 + i * 74, [0.0] * 3
+        colours.GetColor(n, rgb)
+        draw.rectangle((left, y, left + side, y + side), fill=tuple(round(255 * c) for c in rgb),
+                       outline="black")
+        draw.text((left + side + 6, y + side / 2), {3: "≤ 3", 9: "≥ 9"}.get(n, str(n)), fill="black", font=font(20), anchor="lm")
+    return whole
+
+
+def dots(points, radius):
+    """The points as discs of a radius (cm)."""
+    glyph = Glyph(Input=points, GlyphType="2D Glyph", GlyphMode="All Points", ScaleFactor=2 * radius)
+    SetProperties(glyph.GlyphType, GlyphType="Circle", Filled=1)
+    return glyph
+
+
+def points():
+    parts = []
+    scene = Scene((370, 370), (5, 5), 10.4)
+    for jitter in (0, 0.5, 1):
+        scene.show(dots(FoamPoints(NumberOfPoints=100, Jitter=jitter), 0.11), "Surface", Ambient=1, Diffuse=0)
+        parts.append((f"Jitter {jitter:g}", scene.picture()))
+        HideAll(scene.view)
+    return side_by_side(parts, 3)
+
+
+def from_points():
+    source = FoamPoints(NumberOfPoints=64, Seed=5)
+    scene = Scene((460, 460), (4, 4), 11)
+    parts = []
+    for caption, properties in {"Equilibrate off: the initial mesh": {"Equilibrate": 0}, "Free": {},
+                                "Periodic": {"Boundary": "Periodic"}, "Fixed": {"Boundary": "Fixed"}}.items():
+        foam = FoamFromPoints(Input=source, **properties)
+        show_foam(scene, foam)
+        if not foam.Equilibrate:
+            scene.show(dots(source, 0.08), "Surface", Ambient=1, Diffuse=0)
+        parts.append((caption, scene.picture()))
+        HideAll(scene.view)
+    return with_colours_of_sides(side_by_side(parts, 2))
+
+
+def periodic_run(frames=150):
+    foam = FoamFromPoints(Input=FoamPoints(NumberOfPoints=400, Seed=2), Boundary="Periodic")
+    return FoamCoarsen(Input=foam, NumberOfFrames=frames)
+
+
+def time_steps(run, frames, scene, captions, **properties):
+    show_foam(scene, run, **properties)
+    run.UpdatePipelineInformation()
+    parts = []
+    for frame in frames:
+        scene.view.ViewTime = run.TimestepValues[frame]
+        run.UpdatePipeline(scene.view.ViewTime)
+        bubbles = run.GetClientSideObject().GetOutputDataObject(1)
+        parts.append((captions.format(frame=frame, time=scene.view.ViewTime, bubbles=bubbles.GetNumberOfCells()),
+                      scene.picture()))
+    return parts
+
+
+def coarsen(run):
+    parts = time_steps(run, (0, 60, 150), Scene((370, 370), (10, 10), 25.5), "{time:.0f} s, {bubbles} bubbles",
+                       FilmWidth=1.6)
+    return with_colours_of_sides(side_by_side(parts, 3))
+
+
+def series(run):
+    parts = time_steps(run, range(0, 60, 12), Scene((216, 216), (5, 5), 8), "films_{frame:04d}.vtp", FilmWidth=2)
+    return side_by_side(parts, 5)
+
+
+def statistics(run):
+    measured = FoamStatistics(Input=run)
+    measured.UpdatePipeline(2)
+    parts = []
+    for port, name, kind in ((3, "Distribution", "FoamDistributionView"), (1, "BySides", "FoamAboavWeaireView")):
+        view = CreateView(kind)
+        SetProperties(view, ViewSize=[560, 400], ViewTime=2, BottomAxisUseCustomRange=1, BottomAxisRangeMinimum=2,
+                      BottomAxisRangeMaximum=12, LeftAxisTitleFontSize=16, BottomAxisTitleFontSize=16,
+                      LeftAxisLabelFontSize=14, BottomAxisLabelFontSize=14, LegendFontSize=14)
+        Show(OutputPort(measured, port), view)
+        parts.append((name, picture_of(view)))
+    return side_by_side(parts, 2)
+
+
+def ensemble():
+    """p(n) of ten foams, pooled, with the intervals."""
+    films = []
+    for seed in range(1, 11):
+        foam = FoamFromPoints(Input=FoamPoints(NumberOfPoints=400, Seed=seed), Boundary="Periodic")
+        run = FoamCoarsen(Input=foam, NumberOfFrames=90)
+        run.UpdatePipeline(3)
+        films.append(films_at_end(run))
+    pooled = FoamEnsembleStatistics(Input=GroupDatasets(Input=films, OutputType="vtkPartitionedDataSet"))
+    pooled.UpdatePipeline()
+    table = pooled.GetClientSideObject().GetOutputDataObject(0)
+    rows = [{table.GetColumnName(c): table.GetValue(r, c) for c in range(table.GetNumberOfColumns())}
+            for r in range(table.GetNumberOfRows())]
+    rows = [row for row in rows if row["Quantity"].ToString() == "Fraction"]
+    figure, axes = plt.subplots(figsize=(7.4, 4.2), dpi=100, layout="constrained")
+    sides = [row["Sides"].ToInt() for row in rows]
+    mean, upper = ([row[name].ToDouble() for row in rows] for name in ("Mean", "Upper95"))
+    axes.bar(sides, mean, 0.62, color="#a9cfe8")
+    axes.errorbar(sides, mean, np.subtract(upper, mean), fmt="none", ecolor="#1f4e8c", capsize=5, lw=1.6)
+    axes.set(xlabel="sides n", ylabel="fraction of bubbles p(n)", xticks=sides)
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.canvas.draw()
+    return Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB")
+
+
+def films_at_end(run):
+    """The films that the run has come to, as a source of their own."""
+    data = vtkPolyData()
+    data.DeepCopy(films_of(run))
+    source = TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+if __name__ == "__main__":
+    folder = Path(sys.argv[1])
+    run = periodic_run()
+    for name, made in (("proxy_points", points), ("proxy_from_points", from_points),
+                       ("proxy_coarsen", lambda: coarsen(run)), ("proxy_series", lambda: series(run)),
+                       ("proxy_statistics", lambda: statistics(run)), ("proxy_ensemble", ensemble)):
+        made().save(folder / f"{name}.png")
+    Disconnect()  # closes the views before Python ends

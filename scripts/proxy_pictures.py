@@ -32,7 +32,8 @@ def with_colours_of_sides(picture):
         colours.GetColor(n, rgb)
         draw.rectangle((left, y, left + side, y + side), fill=tuple(round(255 * c) for c in rgb),
                        outline="black")
-        draw.text((left + side + 6, y + side / 2), {3: "≤ 3", 9: "≥ 9"}.get(n, str(n)), fill="black", font=font(20), anchor="lm")
+        draw.text((left + side + 6, y + side / 2), {3: "≤ 3", 9: "≥ 9"}.get(n, str(n)), fill="black", font=font(20),
+                  anchor="lm")
     return whole
 
 

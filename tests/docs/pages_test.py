@@ -53,7 +53,7 @@ class Pages(unittest.TestCase):
                     self.assertIn(anchor or "", {"", *(anchors(target) if anchor else ())})
 
     def test_every_picture_is_used(self):
-        used = {(page.parent / name).resolve() for page in pages() for name, _ in LINK.findall(page.read_text()) if name}
+        used = {(page.parent / name).resolve() for page in pages() for name, _ in LINK.findall(page.read_text())}
         self.assertEqual({path for path in (ROOT / "docs").rglob("*.png")} - used, set())
 
 

@@ -44,9 +44,10 @@ class Diagram:
 
 
 def tracked_files():
-    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False)
-    if listed.returncode != 0:
-        raise unittest.SkipTest(f"which folders there are is asked of git: {listed.stderr}")
+    try:
+        listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise unittest.SkipTest(f"which folders there are is asked of git: {error}")
     return [Path(line) for line in listed.stdout.splitlines()]
 
 

@@ -24,6 +24,8 @@ constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
 constexpr double kSmallestStep = 1e-4; // of a line search
 constexpr int kPatchRings = 3;
 constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
+constexpr double kRough = 1e-4;          // residual of a place that is not in equilibrium,
+constexpr double kFewRough = 0.05;       // and such places among the bubbles that are few
 constexpr int kPatience = 24;            // iterations without progress close to the solution
 constexpr int kLargestSwapCount = 4;     // of one film in one call
 
@@ -64,10 +66,29 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
                                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.assign(foam.film_angle.size(), 0);
+  relax_rough_spots(foam, t1_length, aborted);
   const auto outcome = relax(
       foam, whole_, [](const Foam& f, std::span<const Index>) { return whole_foam(f); }, tolerance,
       t1_length, aborted);
   return report(foam, outcome);
+}
+
+/// Where a foam that is in equilibrium but in a few places is not, patches around those are relaxed
+/// first: an iteration there costs next to nothing.
+void NewtonEquilibrator::relax_rough_spots(Foam& foam, double t1_length,
+                                           const AbortCheck& aborted) {
+  if (!whole_.factorised()) {
+    return;
+  }
+  if (!whole_.fits(foam)) {
+    whole_.set_up(foam, whole_foam(foam));
+  }
+  whole_.evaluate(foam);
+  const std::vector<Index> rough = whole_.rough_bubbles(foam, kRough);
+  if (!rough.empty() && static_cast<double>(rough.size()) < kFewRough * foam.bubble_count()) {
+    relax_patch_to(
+        kRough, foam, rough, t1_length, [](const Region&) {}, aborted);
+  }
 }
 
 bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles, double t1_length,
@@ -75,6 +96,13 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles,
                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.assign(foam.film_angle.size(), 0);
+  return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, prepare, aborted);
+}
+
+bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
+                                        std::span<const Index> bubbles, double t1_length,
+                                        const std::function<void(const Region&)>& prepare,
+                                        const AbortCheck& aborted) {
   patch_.reset();
   std::vector<Index> centre(bubbles.begin(), bubbles.end());
   return relax(
@@ -85,7 +113,7 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles,
                prepare(region);
                return region;
              },
-             std::max(kPatchTolerance, options_.tolerance), t1_length, aborted)
+             std::max(tolerance, options_.tolerance), t1_length, aborted)
       .converged;
 }
 
@@ -98,23 +126,24 @@ EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome)
   return foam.report;
 }
 
-const Step* NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate) {
+const Step* NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate,
+                                         double drift) {
   if (!whole_.fits(foam)) {
     whole_.set_up(foam, whole_foam(foam));
   }
-  return response(whole_, foam, area_rate);
+  return response(whole_, foam, area_rate, drift);
 }
 
 const Step* NewtonEquilibrator::patch_response(const Foam& foam,
-                                               const std::vector<double>& area_rate) {
-  return response(patch_, foam, area_rate);
+                                               const std::vector<double>& area_rate, double drift) {
+  return response(patch_, foam, area_rate, drift);
 }
 
 const Step* NewtonEquilibrator::response(LagrangianSystem& system, const Foam& foam,
-                                         const std::vector<double>& area_rate) const {
-  const Step* step = system.response(foam, area_rate, options_.tolerance);
+                                         const std::vector<double>& area_rate, double drift) const {
+  const Step* step = system.response(foam, area_rate, drift);
   if (step == nullptr && system.factorise(foam, kAnyEquilibrium)) {
-    step = system.response(foam, area_rate, LagrangianSystem::kAnyAccuracy);
+    step = system.response(foam, area_rate, LagrangianSystem::kAnyDrift);
   }
   return step;
 }
@@ -170,7 +199,8 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
 /// One step with the factorisation at hand, undone unless it contracts.
 bool NewtonEquilibrator::reuse_factorisation(Foam& foam, LagrangianSystem& system, double tolerance,
                                              Residual& residual) {
-  if (!system.factorised() || system.shifted() || residual.largest() > kReuseBelow) {
+  if (!system.factorised() || system.shifted() || residual.largest() > kReuseBelow ||
+      !system.adapt(foam)) {
     return false;
   }
   const Step& step = system.newton_step(foam);

@@ -40,21 +40,25 @@ public:
 
   /// How a foam in equilibrium moves while its target areas change (LagrangianSystem::response),
   /// in the order of region(); nothing if it has no definite response.
-  const Step* response(const Foam& foam, const std::vector<double>& area_rate);
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate, double drift);
   const Region& region() const { return whole_.region(); }
   /// The same of the last patch, in the order of patch_region().
-  const Step* patch_response(const Foam& foam, const std::vector<double>& area_rate);
+  const Step* patch_response(const Foam& foam, const std::vector<double>& area_rate, double drift);
   const Region& patch_region() const { return patch_.region(); }
 
 private:
   const Step* response(LagrangianSystem& system, const Foam& foam,
-                       const std::vector<double>& area_rate) const;
+                       const std::vector<double>& area_rate, double drift) const;
 
   struct Outcome {
     bool converged = false;
     Residual residual;
   };
 
+  void relax_rough_spots(Foam& foam, double t1_length, const AbortCheck& aborted);
+  bool relax_patch_to(double tolerance, Foam& foam, std::span<const Index> bubbles,
+                      double t1_length, const std::function<void(const Region&)>& prepare,
+                      const AbortCheck& aborted);
   template <class MakeRegion>
   Outcome relax(Foam& foam, LagrangianSystem& system, const MakeRegion& make_region,
                 double tolerance, double t1_length, const AbortCheck& aborted);

@@ -61,6 +61,7 @@ EventCoarsening::EventCoarsening(const CoarseningOptions& options)
 
 void EventCoarsening::restart(Foam foam) {
   foam_ = std::move(foam);
+  motion_ = {};
   newton_.forget();
   patience_.assign(foam_.bubble_half.size(), 1.0);
 }
@@ -127,7 +128,7 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
     events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
   }
   now_ = options_.time_step;
-  motion_.bring_all(foam_, now_);
+  motion_.finish(foam_, now_);
   balance_gas();
   relax_whole(options_.equilibrator.tolerance, aborted);
   return true;
@@ -154,10 +155,12 @@ void EventCoarsening::balance_gas() {
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
   std::vector<double> rates = area_rates(foam_, options_.permeability);
-  const Step* response = newton_.response(foam_, rates);
+  const Step* response = newton_.response(foam_, rates, drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {
-    motion_.take(newton_.region(), *response);
+    motion_.take_whole(newton_.region(), *response, !careful_);
+  } else {
+    motion_.rest();
   }
 }
 
@@ -387,8 +390,8 @@ void EventCoarsening::move_on() {
       motion_.set_area_rate(b, von_neumann_rate(foam_, b, options_.permeability));
     }
   }
-  if (const Step* response = newton_.patch_response(foam_, motion_.area_rates())) {
-    motion_.take(region, *response);
+  if (const Step* response = newton_.patch_response(foam_, motion_.area_rates(), drift())) {
+    motion_.take_patch(region, *response);
   }
   if (foam_.boundary == Boundary::Fixed) {
     expect_all();

@@ -5,34 +5,83 @@
 
 namespace foam {
 
-void Motion::begin(const Foam& foam, std::vector<double> area_rates, double now) {
-  junction_rates_.assign(foam.position.size(), {});
-  angle_rates_.assign(foam.film_angle.size(), 0.0);
-  pressure_rates_.assign(foam.pressure.size(), 0.0);
-  area_rates_ = std::move(area_rates);
-  junction_time_.assign(foam.position.size(), now);
-  film_time_.assign(foam.film_angle.size(), now);
-  bubble_time_.assign(foam.pressure.size(), now);
+template <class Value> void Motion::Course<Value>::begin(std::size_t count, double now) {
+  rate.resize(count);
+  steady.resize(count, 0);
+  bend.assign(count, {});
+  time.assign(count, now);
 }
 
-void Motion::take(const Region& region, const Step& response) {
+template <class Value>
+void Motion::Course<Value>::take_whole(Index i, const Value& new_rate, bool bends) {
+  const auto k = Foam::size(i);
+  bend[k] = bends && steady[k] ? new_rate - rate[k] : Value{};
+  rate[k] = new_rate;
+  steady[k] = 1;
+}
+
+template <class Value> void Motion::Course<Value>::take_patch(Index i, const Value& new_rate) {
+  const auto k = Foam::size(i);
+  bend[k] = {};
+  rate[k] = new_rate;
+  steady[k] = 0;
+}
+
+template <class Value> void Motion::Course<Value>::rest() {
+  rate.assign(rate.size(), {});
+  bend.assign(bend.size(), {});
+  steady.assign(steady.size(), 0);
+}
+
+template <class Value> void Motion::Course<Value>::bring(Value& value, std::size_t i, double now) {
+  value += (now - time[i]) * rate[i];
+  time[i] = now;
+}
+
+void Motion::begin(const Foam& foam, std::vector<double> area_rates, double now) {
+  junctions_.begin(foam.position.size(), now);
+  angles_.begin(foam.film_angle.size(), now);
+  pressures_.begin(foam.pressure.size(), now);
+  area_rates_ = std::move(area_rates);
+  begin_ = now;
+}
+
+void Motion::take_whole(const Region& region, const Step& response, bool bend) {
   for (std::size_t i = 0; i < region.junctions.size(); ++i) {
-    junction_rates_[Foam::size(region.junctions[i])] = response.junctions[i];
+    junctions_.take_whole(region.junctions[i], response.junctions[i], bend);
   }
   for (std::size_t i = 0; i < region.films.size(); ++i) {
-    angle_rates_[Foam::size(region.films[i])] = response.angles[i];
+    angles_.take_whole(region.films[i], response.angles[i], bend);
   }
   for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
-    pressure_rates_[Foam::size(region.bubbles[i])] = response.pressures[i];
+    pressures_.take_whole(region.bubbles[i], response.pressures[i], bend);
   }
+}
+
+void Motion::take_patch(const Region& region, const Step& response) {
+  for (std::size_t i = 0; i < region.junctions.size(); ++i) {
+    junctions_.take_patch(region.junctions[i], response.junctions[i]);
+  }
+  for (std::size_t i = 0; i < region.films.size(); ++i) {
+    angles_.take_patch(region.films[i], response.angles[i]);
+  }
+  for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
+    pressures_.take_patch(region.bubbles[i], response.pressures[i]);
+  }
+}
+
+void Motion::rest() {
+  junctions_.rest();
+  angles_.rest();
+  pressures_.rest();
 }
 
 void Motion::hold_wall(const Foam& foam, Index bubble) {
   for_each_half(foam, bubble, [&](Index h) {
     if (foam.wall(h)) {
-      angle_rates_[Foam::size(Foam::film_of(h))] = 0;
-      junction_rates_[Foam::size(foam.start(h))] = {};
-      junction_rates_[Foam::size(foam.end(h))] = {};
+      angles_.take_patch(Foam::film_of(h), 0);
+      junctions_.take_patch(foam.start(h), {});
+      junctions_.take_patch(foam.end(h), {});
     }
   });
 }
@@ -41,47 +90,50 @@ void Motion::bring(Foam& foam, std::span<const Index> bubbles, double now) {
   for (const Index b : bubbles) {
     bring_bubble(foam, b, now);
     for_each_half(foam, b, [&](Index h) {
-      bring_film(foam, Foam::film_of(h), now);
-      bring_junction(foam, foam.start(h), now);
+      const auto film = Foam::size(Foam::film_of(h));
+      angles_.bring(foam.film_angle[film], film, now);
+      const auto junction = Foam::size(foam.start(h));
+      junctions_.bring(foam.position[junction], junction, now);
     });
   }
 }
 
 void Motion::bring_all(Foam& foam, double now) {
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    bring_junction(foam, j, now);
+  for (std::size_t j = 0; j < foam.position.size(); ++j) {
+    junctions_.bring(foam.position[j], j, now);
   }
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    bring_film(foam, f, now);
+  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
+    angles_.bring(foam.film_angle[f], f, now);
   }
   for (Index b = 0; b < foam.bubble_capacity(); ++b) {
     bring_bubble(foam, b, now);
   }
 }
 
+/// x + ẋ·t + ½ẍ·t², ẍ·t being the bend.
+void Motion::finish(Foam& foam, double now) {
+  bring_all(foam, now);
+  const double half = 0.5 * (now - begin_);
+  for (std::size_t j = 0; j < foam.position.size(); ++j) {
+    foam.position[j] += half * junctions_.bend[j];
+  }
+  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
+    foam.film_angle[f] += half * angles_.bend[f];
+  }
+  for (std::size_t b = 0; b < foam.pressure.size(); ++b) {
+    foam.pressure[b] += half * pressures_.bend[b];
+  }
+}
+
 Vec2 Motion::chord_rate(const Foam& foam, Index film) const {
-  return junction_rates_[Foam::size(foam.end(2 * film))] -
-         junction_rates_[Foam::size(foam.start(2 * film))];
-}
-
-void Motion::bring_junction(Foam& foam, Index junction, double now) {
-  const auto i = Foam::size(junction);
-  foam.position[i] += (now - junction_time_[i]) * junction_rates_[i];
-  junction_time_[i] = now;
-}
-
-void Motion::bring_film(Foam& foam, Index film, double now) {
-  const auto i = Foam::size(film);
-  foam.film_angle[i] += (now - film_time_[i]) * angle_rates_[i];
-  film_time_[i] = now;
+  return junctions_.rate[Foam::size(foam.end(2 * film))] -
+         junctions_.rate[Foam::size(foam.start(2 * film))];
 }
 
 void Motion::bring_bubble(Foam& foam, Index bubble, double now) {
   const auto i = Foam::size(bubble);
-  const double elapsed = now - bubble_time_[i];
-  foam.pressure[i] += elapsed * pressure_rates_[i];
-  foam.target_area[i] += elapsed * area_rates_[i];
-  bubble_time_[i] = now;
+  foam.target_area[i] += (now - pressures_.time[i]) * area_rates_[i];
+  pressures_.bring(foam.pressure[i], i, now);
 }
 
 } // namespace foam

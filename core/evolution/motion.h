@@ -10,16 +10,21 @@
 
 namespace foam {
 
-/// How a foam moves in time between topological events, to first order: a rate for every junction,
-/// film and bubble. Each of them is moved only when it is looked at, and remembers the instant at
-/// which it stands, so that an event in one place costs nothing elsewhere.
+/// How a foam moves in time between topological events: a rate for every junction, film and bubble.
+/// Each of them is moved only when it is looked at, and remembers the instant at which it stands,
+/// so that an event in one place costs nothing elsewhere.
 class Motion {
 public:
-  /// The whole foam stands at this instant (s) and rests; target areas change at the given rates
-  /// (cm²/s, by bubble).
+  /// The whole foam stands at this instant (s); target areas change at the given rates (cm²/s, by
+  /// bubble).
   void begin(const Foam& foam, std::vector<double> area_rates, double now);
-  /// The region moves along a response from now on. \pre it has been brought to now
-  void take(const Region& region, const Step& response);
+  /// The whole foam moves along a response from now on. \param bend whether its rates have changed,
+  /// since the last whole response, as much as they will until the motion is finished.
+  void take_whole(const Region& region, const Step& response, bool bend);
+  /// A patch moves along a response from now on. \pre it has been brought to now
+  void take_patch(const Region& region, const Step& response);
+  /// Nothing moves, but target areas change.
+  void rest();
   /// A target area changes at another rate from now on. \pre it has been brought to now
   void set_area_rate(Index bubble, double rate) { area_rates_[Foam::size(bubble)] = rate; }
   /// What has become a piece of a container's wall beside the bubble does not move any more.
@@ -28,23 +33,35 @@ public:
   /// Moves bubbles, with all their films and junctions, to an instant (s).
   void bring(Foam& foam, std::span<const Index> bubbles, double now);
   void bring_all(Foam& foam, double now);
+  /// The same, to second order where a whole response has held from the beginning.
+  void finish(Foam& foam, double now);
 
   void set_area_rates(std::vector<double> rates) { area_rates_ = std::move(rates); }
   const std::vector<double>& area_rates() const { return area_rates_; }
   double area_rate(Index bubble) const { return area_rates_[Foam::size(bubble)]; }
-  double angle_rate(Index film) const { return angle_rates_[Foam::size(film)]; }
+  double angle_rate(Index film) const { return angles_.rate[Foam::size(film)]; }
   Vec2 chord_rate(const Foam& foam, Index film) const;
 
 private:
-  void bring_junction(Foam& foam, Index junction, double now);
-  void bring_film(Foam& foam, Index film, double now);
+  template <class Value> struct Course {
+    std::vector<Value> rate;  ///< per s
+    std::vector<Value> bend;  ///< of the rate in all, per s
+    std::vector<char> steady; ///< the rate is a whole response's
+    std::vector<double> time; ///< where it stands, s
+
+    void begin(std::size_t count, double now);
+    void take_whole(Index i, const Value& rate, bool bend);
+    void take_patch(Index i, const Value& rate);
+    void rest();
+    void bring(Value& value, std::size_t i, double now);
+  };
   void bring_bubble(Foam& foam, Index bubble, double now);
 
-  std::vector<Vec2> junction_rates_;                            ///< cm/s
-  std::vector<double> angle_rates_;                             ///< rad/s
-  std::vector<double> pressure_rates_;                          ///< N/(cm s)
-  std::vector<double> area_rates_;                              ///< of the targets, cm²/s
-  std::vector<double> junction_time_, film_time_, bubble_time_; ///< where each of them stands, s
+  Course<Vec2> junctions_;         ///< cm
+  Course<double> angles_;          ///< rad
+  Course<double> pressures_;       ///< N/cm
+  std::vector<double> area_rates_; ///< of the targets, cm²/s
+  double begin_ = 0;               ///< s
 };
 
 } // namespace foam

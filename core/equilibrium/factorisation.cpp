@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium/factorisation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foam {
+namespace {
+
+constexpr double kLargestChange = 0.05; // of a film's chord, or of its half-angle in rad
+constexpr int kPatchRings = 1;
+constexpr double kLargestPatch = 0.1; // of the foam's bubbles
+
+} // namespace
+
+Index Factorisation::factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
+  translation_.clear();
+  patch_.reset();
+  unknowns_ = matrix.unknowns();
+  topology_ = foam.topology;
+  if (region.whole) {
+    films_.assign(foam.film_angle.size(), {});
+    for (const Index f : region.films) {
+      films_[Foam::size(f)] = film_of(foam, f);
+    }
+  }
+  return solver_->factorise(matrix.values());
+}
+
+bool Factorisation::adapt(const Foam& foam, const Region& region, NewtonMatrix& matrix) {
+  if (topology_ != foam.topology) {
+    translation_ = translation(region, matrix.unknowns(), unknowns_);
+    topology_ = foam.topology;
+  }
+  patch_.reset();
+  const std::vector<Index> bubbles = changed_bubbles(foam, region);
+  return bubbles.empty() || make_patch(foam, region, bubbles, matrix);
+}
+
+Factorisation::Film Factorisation::film_of(const Foam& foam, Index film) {
+  const Index h = 2 * film;
+  return {
+      {foam.start(h), foam.end(h), foam.left(h), foam.right(h)}, foam.chord(h), foam.half_angle(h)};
+}
+
+bool Factorisation::changed(const Foam& foam, Index film) const {
+  if (Foam::size(film) >= films_.size()) {
+    return true;
+  }
+  const Film now = film_of(foam, film);
+  const Film& before = films_[Foam::size(film)];
+  return now.neighbours != before.neighbours ||
+         norm(now.chord - before.chord) > kLargestChange * norm(before.chord) ||
+         std::abs(now.angle - before.angle) > kLargestChange;
+}
+
+std::vector<Index> Factorisation::changed_bubbles(const Foam& foam, const Region& region) const {
+  std::vector<Index> bubbles;
+  for (const Index f : region.films) {
+    if (changed(foam, f)) {
+      bubbles.insert(bubbles.end(), {foam.left(2 * f), foam.right(2 * f)});
+    }
+  }
+  return bubbles;
+}
+
+/// \returns false if the patch is too large or singular.
+bool Factorisation::make_patch(const Foam& foam, const Region& region,
+                               std::span<const Index> bubbles, NewtonMatrix& matrix) {
+  const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
+  if (static_cast<double>(bubbles.size()) > most) {
+    return false;
+  }
+  const Region around = patch(foam, bubbles, kPatchRings);
+  if (static_cast<double>(around.bubbles.size()) > most) {
+    return false;
+  }
+  auto made = std::make_unique<Patch>();
+  std::vector<char> keep_angle;
+  for (const Index f : around.films) {
+    keep_angle.push_back(keeps_angle(f) ? 1 : 0);
+    made->columns.push_back(matrix.unknowns().of_film(foam, f));
+    const auto place = std::ranges::lower_bound(region.films, f) - region.films.begin();
+    if (!matrix.assemble_film(foam, region, static_cast<std::size_t>(place), 0)) {
+      return false;
+    }
+  }
+  made->matrix.set_up(foam, around, keep_angle);
+  made->matrix.assemble(foam, around, 0);
+  made->rows = translation(around, made->matrix.unknowns(), matrix.unknowns());
+  made->solver->analyse(made->matrix.pattern());
+  if (made->solver->factorise(made->matrix.values()) < 0) {
+    return false;
+  }
+  patch_ = std::move(made);
+  return true;
+}
+
+void Factorisation::solve(std::span<double> rhs) const {
+  std::vector<double> rest;
+  if (patch_) {
+    for (const Index u : patch_->rows) {
+      rest.push_back(rhs[Foam::size(u)]);
+    }
+  }
+  solve_as_before(rhs);
+  if (patch_) {
+    patch_->matrix.subtract_product(rhs, patch_->columns, patch_->rows, rest);
+    patch_->solver->solve(rest);
+    for (std::size_t u = 0; u < rest.size(); ++u) {
+      rhs[Foam::size(patch_->rows[u])] += rest[u];
+    }
+  }
+}
+
+/// With the matrix that was factorised; what was not there then does not move.
+void Factorisation::solve_as_before(std::span<double> rhs) const {
+  if (translation_.empty()) {
+    solver_->solve(rhs);
+    return;
+  }
+  std::vector<double> old(Foam::size(unknowns_.count()), 0.0);
+  for (std::size_t u = 0; u < rhs.size(); ++u) {
+    if (translation_[u] != kNone) {
+      old[Foam::size(translation_[u])] = rhs[u];
+    }
+  }
+  solver_->solve(old);
+  for (std::size_t u = 0; u < rhs.size(); ++u) {
+    rhs[u] = translation_[u] == kNone ? 0 : old[Foam::size(translation_[u])];
+  }
+}
+
+} // namespace foam

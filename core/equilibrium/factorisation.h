@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "equilibrium/newton_matrix.h"
+#include "equilibrium/sparse_solver.h"
+
+namespace foam {
+
+/// The factorisation of a whole foam's or a patch's Newton matrix, which goes on serving while the
+/// foam moves and changes its topology in a few places.
+///
+/// Where films have other neighbours since, or another shape, its solution is put right by a second
+/// solve: with the present matrix in a patch around those films, all else held (multiplicative
+/// Schwarz: B. F. Smith, P. E. Bjørstad, W. D. Gropp, Domain Decomposition, 1996, ch. 1). What is
+/// left is small and smooth, so that an iteration with it contracts.
+class Factorisation {
+public:
+  Factorisation() : solver_(make_sparse_solver()) {}
+
+  /// Symbolic factorisation.
+  void analyse(NewtonMatrix& matrix) { solver_->analyse(matrix.pattern()); }
+  /// \returns the number of negative pivots, or −1 if it cannot be factorised.
+  Index factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
+
+  /// Makes the last factorise() serve for what the whole foam is now. \param matrix of the present
+  /// topology; its shares of films that have changed are brought up to date. \returns false if too
+  /// much has changed.
+  bool adapt(const Foam& foam, const Region& region, NewtonMatrix& matrix);
+  /// Whether the film's half-angle was an unknown.
+  bool keeps_angle(Index film) const { return unknowns_.angle(film) != kNone; }
+
+  /// Replaces the right-hand side by the solution, which is approximate after adapt().
+  void solve(std::span<double> rhs) const;
+
+private:
+  void solve_as_before(std::span<double> rhs) const;
+  /// What a film was when the matrix was factorised.
+  struct Film {
+    std::array<Index, 4> neighbours{}; ///< start, end, left, right
+    Vec2 chord;
+    double angle = 0;
+  };
+  /// Around the films that have changed.
+  struct Patch {
+    NewtonMatrix matrix;
+    std::unique_ptr<SparseSolver> solver = make_sparse_solver();
+    std::vector<Index> rows;                   ///< its unknowns' numbers in the whole matrix
+    std::vector<std::array<Index, 7>> columns; ///< its films' unknowns' numbers there
+  };
+  static Film film_of(const Foam& foam, Index film);
+  bool changed(const Foam& foam, Index film) const;
+  std::vector<Index> changed_bubbles(const Foam& foam, const Region& region) const;
+  bool make_patch(const Foam& foam, const Region& region, std::span<const Index> bubbles,
+                  NewtonMatrix& matrix);
+
+  std::unique_ptr<SparseSolver> solver_;
+  Unknowns unknowns_;
+  std::vector<Film> films_;        ///< by film
+  std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for
+  std::vector<Index> translation_; ///< to unknowns_; empty while the topology is the same
+  std::unique_ptr<Patch> patch_;   ///< nothing while no film has changed
+};
+
+} // namespace foam

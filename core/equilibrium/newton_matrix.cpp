@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium/newton_matrix.h"
+
+#include <algorithm>
+
+namespace foam {
+namespace {
+
+constexpr auto kAngle = FilmLagrangian::kAngle;
+constexpr std::size_t kAngleRow = kAngle * (kAngle + 1) / 2; // in a lower triangle
+
+// ∂²φ/∂α² in units of T·d; it is 1/3 for a straight film and falls to 0 at α = 90°.
+constexpr double kKeepBelow = 0.2;   // angles that are kept from the start
+constexpr double kEliminateTo = 0.1; // an eliminated one must not fall below this
+constexpr double kRegularisation = 1e-8;
+
+FilmLagrangian lagrangian_of(const Foam& foam, Index film) {
+  const double q = foam.pressure_of(foam.left(2 * film)) - foam.pressure_of(foam.right(2 * film));
+  return film_lagrangian(foam.chord(2 * film), foam.half_angle(2 * film), q,
+                         2 * foam.surface_tension);
+}
+
+double stiffness(const Foam& foam, Index film) {
+  return 2 * foam.surface_tension * norm(foam.chord(2 * film));
+}
+
+/// Calls f(row, column, place) for a film's lower triangle.
+template <class F> void for_each_entry(const F& f) {
+  std::size_t k = 0;
+  for (std::size_t row = 0; row < 7; ++row) {
+    for (std::size_t column = 0; column <= row; ++column, ++k) {
+      f(row, column, k);
+    }
+  }
+}
+
+} // namespace
+
+bool NewtonMatrix::angle_is_delicate(const Foam& foam, Index film) {
+  return lagrangian_of(foam, film).hessian[kAngle][kAngle] < kKeepBelow * stiffness(foam, film);
+}
+
+void NewtonMatrix::set_up(const Foam& foam, const Region& region,
+                          std::span<const char> keep_angle) {
+  unknowns_ = Unknowns(foam, region, keep_angle);
+  films_.assign(region.films.size(), {});
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    films_[i].unknown = unknowns_.of_film(foam, region.films[i]);
+  }
+  slots_.clear();
+}
+
+std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& region,
+                                                double shift) {
+  std::vector<std::size_t> unsafe;
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    if (!assemble_film(foam, region, i, shift)) {
+      unsafe.push_back(i);
+    }
+  }
+  const double tension = 2 * foam.surface_tension;
+  const double spacing = foam.mean_spacing();
+  junction_diagonal_ = (shift + kRegularisation) * tension / spacing;
+  pressure_diagonal_ = -kRegularisation * spacing * spacing * spacing / tension;
+  return unsafe;
+}
+
+bool NewtonMatrix::assemble_film(const Foam& foam, const Region& region, std::size_t place,
+                                 double shift) {
+  FilmLagrangian film = lagrangian_of(foam, region.films[place]);
+  const double scale = stiffness(foam, region.films[place]);
+  film.hessian[kAngle][kAngle] += shift * scale;
+  if (!keeps_angle(place)) {
+    if (film.hessian[kAngle][kAngle] < kEliminateTo * scale) {
+      return false;
+    }
+    eliminate_angle(film);
+  }
+  for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
+    films_[place].share[k] = film.hessian[row][column];
+  });
+  return true;
+}
+
+double NewtonMatrix::regularisation(std::size_t unknown) const {
+  if (unknown < Foam::size(unknowns_.first_pressure())) {
+    return junction_diagonal_;
+  }
+  return unknown < Foam::size(unknowns_.first_angle()) ? pressure_diagonal_ : 0;
+}
+
+void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<double> rhs) const {
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    if (!keeps_angle(i)) {
+      const double* const row = &films_[i].share[kAngleRow];
+      for (std::size_t k = 0; k < kAngle; ++k) {
+        if (films_[i].unknown[k] != kNone) {
+          rhs[Foam::size(films_[i].unknown[k])] += row[k] * angle_gradient[i] / row[kAngle];
+        }
+      }
+    }
+  }
+}
+
+double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
+                                  std::span<const double> x) const {
+  const Film& film = films_[place];
+  if (film.unknown[kAngle] != kNone) {
+    return x[Foam::size(film.unknown[kAngle])];
+  }
+  double sum = angle_gradient;
+  for (std::size_t k = 0; k < kAngle; ++k) {
+    if (film.unknown[k] != kNone) {
+      sum += film.share[kAngleRow + k] * x[Foam::size(film.unknown[k])];
+    }
+  }
+  return -sum / film.share[kAngleRow + kAngle];
+}
+
+void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double> from) const {
+  for (std::size_t u = 0; u < from.size(); ++u) {
+    from[u] -= regularisation(u) * x[u];
+  }
+  for (const Film& film : films_) {
+    subtract_film(film, film.unknown, x, from);
+  }
+}
+
+void NewtonMatrix::subtract_product(std::span<const double> x,
+                                    std::span<const std::array<Index, 7>> columns,
+                                    std::span<const Index> rows, std::span<double> from) const {
+  for (std::size_t u = 0; u < from.size(); ++u) {
+    from[u] -= regularisation(u) * x[Foam::size(rows[u])];
+  }
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    subtract_film(films_[i], columns[i], x, from);
+  }
+}
+
+void NewtonMatrix::subtract_film(const Film& film, const std::array<Index, 7>& columns,
+                                 std::span<const double> x, std::span<double> from) {
+  std::array<double, 7> change{};
+  std::array<double, 7> force{};
+  const std::size_t size = columns[kAngle] == kNone ? kAngle : kAngle + 1;
+  for (std::size_t k = 0; k < size; ++k) {
+    change[k] = columns[k] == kNone ? 0 : x[Foam::size(columns[k])];
+  }
+  std::size_t k = 0;
+  for (std::size_t row = 0; row < size; ++row) {
+    for (std::size_t column = 0; column < row; ++column, ++k) {
+      force[row] += film.share[k] * change[column];
+      force[column] += film.share[k] * change[row];
+    }
+    force[row] += film.share[k++] * change[row];
+  }
+  for (std::size_t row = 0; row < size; ++row) {
+    if (film.unknown[row] != kNone) {
+      from[Foam::size(film.unknown[row])] -= force[row];
+    }
+  }
+}
+
+const SymmetricPattern& NewtonMatrix::pattern() {
+  if (slots_.empty()) {
+    build_pattern();
+  }
+  return pattern_;
+}
+
+std::vector<double> NewtonMatrix::values() const {
+  std::vector<double> values(pattern_.row.size(), 0.0);
+  for (std::size_t u = 0; u < diagonal_.size(); ++u) {
+    values[Foam::size(diagonal_[u])] = regularisation(u);
+  }
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
+      if (slots_[i][k] != kNone) {
+        const auto& unknown = films_[i].unknown;
+        const bool folded = row != column && unknown[row] == unknown[column];
+        values[Foam::size(slots_[i][k])] += (folded ? 2 : 1) * films_[i].share[k];
+      }
+    });
+  }
+  return values;
+}
+
+void NewtonMatrix::build_pattern() {
+  struct Entry {
+    Index column, row;
+    Index* slot;
+  };
+  const Index count = unknowns_.count();
+  slots_.resize(films_.size());
+  std::vector<Entry> entries;
+  entries.reserve(28 * films_.size() + Foam::size(count));
+  diagonal_.assign(Foam::size(count), kNone);
+  for (Index i = 0; i < count; ++i) {
+    entries.push_back({i, i, &diagonal_[Foam::size(i)]});
+  }
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    slots_[i].fill(kNone);
+    for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
+      const Index u = films_[i].unknown[row];
+      const Index v = films_[i].unknown[column];
+      if (u != kNone && v != kNone) {
+        entries.push_back({std::min(u, v), std::max(u, v), &slots_[i][k]});
+      }
+    });
+  }
+  // Counting sort by column, then a sort by row within each column.
+  std::vector<Index> begin(Foam::size(count) + 1, 0);
+  for (const Entry& e : entries) {
+    ++begin[Foam::size(e.column) + 1];
+  }
+  for (std::size_t i = 1; i < begin.size(); ++i) {
+    begin[i] += begin[i - 1];
+  }
+  std::vector<Entry> sorted(entries.size());
+  std::vector<Index> at = begin;
+  for (const Entry& e : entries) {
+    sorted[Foam::size(at[Foam::size(e.column)]++)] = e;
+  }
+  pattern_.column_start.assign(1, 0);
+  pattern_.row.clear();
+  for (Index c = 0; c < count; ++c) {
+    const auto first = sorted.begin() + begin[Foam::size(c)];
+    const auto last = sorted.begin() + begin[Foam::size(c) + 1];
+    std::sort(first, last, [](const Entry& x, const Entry& y) { return x.row < y.row; });
+    Index previous = kNone;
+    for (auto e = first; e != last; ++e) {
+      if (e->row != previous) {
+        pattern_.row.push_back(e->row);
+        previous = e->row;
+      }
+      *e->slot = static_cast<Index>(pattern_.row.size()) - 1;
+    }
+    pattern_.column_start.push_back(static_cast<Index>(pattern_.row.size()));
+  }
+  pattern_.delicate = count - unknowns_.first_angle();
+}
+
+} // namespace foam

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium/unknowns.h"
+
+namespace foam {
+
+Unknowns::Unknowns(const Foam& foam, const Region& region, std::span<const char> keep_angle)
+    : junctions_(foam.position.size(), kNone), bubbles_(foam.pressure.size(), kNone),
+      angles_(foam.film_angle.size(), kNone) {
+  for (const Index j : region.junctions) {
+    junctions_[Foam::size(j)] = count_;
+    count_ += 2;
+  }
+  first_pressure_ = count_;
+  for (const Index b : region.bubbles) {
+    bubbles_[Foam::size(b)] = count_++;
+  }
+  first_angle_ = count_;
+  for (std::size_t i = 0; i < region.films.size(); ++i) {
+    if (keep_angle[i]) {
+      angles_[Foam::size(region.films[i])] = count_++;
+    }
+  }
+}
+
+std::array<Index, 7> Unknowns::of_film(const Foam& foam, Index film) const {
+  const Index h = 2 * film;
+  const Index a = junction(foam.start(h));
+  const Index b = junction(foam.end(h));
+  return {a,
+          a == kNone ? kNone : a + 1,
+          b,
+          b == kNone ? kNone : b + 1,
+          bubble(foam.left(h)),
+          bubble(foam.right(h)),
+          angle(film)};
+}
+
+std::vector<Index> translation(const Region& region, const Unknowns& from, const Unknowns& to) {
+  std::vector<Index> numbers(Foam::size(from.count()), kNone);
+  const auto put = [&](Index number, Index other) {
+    if (number != kNone) {
+      numbers[Foam::size(number)] = other;
+    }
+  };
+  for (const Index j : region.junctions) {
+    const Index x = from.junction(j);
+    const Index other = to.junction(j);
+    put(x, other);
+    put(x == kNone ? kNone : x + 1, other == kNone ? kNone : other + 1);
+  }
+  for (const Index b : region.bubbles) {
+    put(from.bubble(b), to.bubble(b));
+  }
+  for (const Index f : region.films) {
+    put(from.angle(f), to.angle(f));
+  }
+  return numbers;
+}
+
+} // namespace foam

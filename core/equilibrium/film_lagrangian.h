@@ -10,7 +10,6 @@
 // Plateau's balance of tensions, that of ∂φ/∂p over a bubble's films its area.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -36,8 +35,8 @@ struct FilmForces {
 
 /// \param chord from a to b, cm; \param unit the same, of length 1; \param d its length, cm; \param
 /// q p_left − p_right, N/cm; \param tension T = 2γ, N/cm.
-inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d, const ArcShape& shape, double q,
-                              double tension) {
+FOAM_HOST_DEVICE inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d,
+                                               const ArcShape& shape, double q, double tension) {
   FilmForces forces;
   forces.along = tension * shape.f - 2 * q * d * shape.g;
   forces.angle = tension * d * shape.f1 - q * d * d * shape.g1;
@@ -51,7 +50,8 @@ inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d, const ArcShape& s
 
 /// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm;
 /// \param tension T = 2γ, N/cm.
-inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double tension) {
+FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q,
+                                                       double tension) {
   const double d = norm(chord);
   const Vec2 u = (1 / d) * chord;
   const ArcShape s = arc_shape(alpha);
@@ -65,7 +65,9 @@ inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double
   const Vec2 polygon{0.5 * chord.y, -0.5 * chord.x};
 
   FilmLagrangian r;
-  std::ranges::copy(forces.ends, r.gradient.begin());
+  for (std::size_t i = 0; i < 4; ++i) {
+    r.gradient[i] = forces.ends[i];
+  }
   r.gradient[FilmLagrangian::kAngle] = forces.angle;
 
   const double across = forces.along / d;
@@ -95,7 +97,7 @@ inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q, double
 
 /// Takes α out of the derivatives: α follows the other unknowns so that ∂φ/∂α stays what Newton's
 /// step makes it, zero (static condensation). \pre ∂²φ/∂α² is safely away from 0.
-inline void eliminate_angle(FilmLagrangian& film) {
+FOAM_HOST_DEVICE inline void eliminate_angle(FilmLagrangian& film) {
   constexpr std::size_t k = FilmLagrangian::kAngle;
   const double pivot = film.hessian[k][k];
   for (std::size_t i = 0; i < k; ++i) {

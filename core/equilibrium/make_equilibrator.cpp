@@ -3,6 +3,8 @@
 
 #ifdef FOAM_HAVE_NEWTON
 #include "equilibrium/newton_equilibrator.h"
+#else
+#include "equilibrium/krylov_equilibrator.h"
 #endif
 #include "junction/junction_equilibrator.h"
 #include "mesh/number.h"
@@ -11,11 +13,11 @@
 namespace foam {
 namespace {
 
-std::unique_ptr<Equilibrator> make_newton([[maybe_unused]] const EquilibratorOptions& options) {
+std::unique_ptr<Equilibrator> make_newton(const EquilibratorOptions& options) {
 #ifdef FOAM_HAVE_NEWTON
   return std::make_unique<NewtonEquilibrator>(options);
-#else
-  throw FoamError("Equilibrator = Newton, but this build has no sparse solver for it");
+#else // without a sparse solver
+  return std::make_unique<KrylovEquilibrator>(options);
 #endif
 }
 

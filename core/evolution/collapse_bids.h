@@ -75,9 +75,7 @@ struct CollapseBids {
 
   FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index i) {
     if (i >= mesh.bubbles) {
-      const Index h = 2 * (i - mesh.bubbles);
-      return {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
-              mesh.left(mesh.next_around_junction(FoamView::twin(h))), kWorld};
+      return bubbles_around_film(mesh, i - mesh.bubbles);
     }
     if (mesh.sides[FoamView::size(i)] == 2) {
       return detail::around_two_sided(mesh, i);

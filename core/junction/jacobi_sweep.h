@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/parallel_measures.h"
 #include "junction/junction_step.h"
 #include "junction/update_order.h"
-#include "mesh/element_measures.h"
 
 namespace foam::junction {
 
@@ -28,13 +28,6 @@ struct Maxima {
     }
     position = std::max(position, norm(change.position));
   }
-};
-
-/// How far a foam is from equilibrium, and whether it is possible.
-struct EquilibriumMeasures {
-  double angle_error = 0;
-  double area_error = 0;
-  bool possible = true; ///< no junction is inverted, no bubble inside out
 };
 
 namespace detail {
@@ -105,11 +98,6 @@ struct LargerOfEach {
     return {std::max(a.pressure, b.pressure), std::max(a.position, b.position),
             a.solvable && b.solvable};
   }
-  FOAM_HOST_DEVICE EquilibriumMeasures operator()(const EquilibriumMeasures& a,
-                                                  const EquilibriumMeasures& b) const {
-    return {std::max(a.angle_error, b.angle_error), std::max(a.area_error, b.area_error),
-            a.possible && b.possible};
-  }
 };
 
 /// The half-angles that go with the pressures.
@@ -124,32 +112,6 @@ struct WriteHalfAngle {
           mesh.wall(h) ? 0
                        : thesis_half_angle(norm(mesh.chord(h)), difference, mesh.surface_tension);
     }
-  }
-};
-
-struct MeasureJunction {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE EquilibriumMeasures operator()(Index junction) const {
-    EquilibriumMeasures measures;
-    if (mesh.has_junction(junction) && !mesh.pinned(junction)) {
-      measures.angle_error = angle_error(mesh, junction);
-      measures.possible = counter_clockwise(mesh, junction);
-    }
-    return measures;
-  }
-};
-
-struct MeasureBubble {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE EquilibriumMeasures operator()(Index bubble) const {
-    EquilibriumMeasures measures;
-    if (mesh.has_bubble(bubble)) {
-      measures.area_error = area_error(mesh, bubble);
-      measures.possible = mesh.area(bubble) > 0;
-    }
-    return measures;
   }
 };
 
@@ -214,15 +176,11 @@ EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
     halted = halt(now, old, options.junction);
   }
   machine.for_each(mesh.films, detail::WriteHalfAngle{mesh});
-  const EquilibriumMeasures junctions = machine.reduce(
-      mesh.junctions, EquilibriumMeasures{}, detail::MeasureJunction{mesh}, detail::LargerOfEach{});
-  const EquilibriumMeasures bubbles = machine.reduce(
-      mesh.bubbles, EquilibriumMeasures{}, detail::MeasureBubble{mesh}, detail::LargerOfEach{});
-  report.max_angle_error = junctions.angle_error;
-  report.max_area_error = bubbles.area_error;
+  const EquilibriumMeasures measures = measure_equilibrium(machine, mesh);
+  report.max_angle_error = measures.angle_error;
+  report.max_area_error = measures.area_error;
   report.residual = std::max(report.max_angle_error, report.max_area_error);
-  report.converged = halted && now.solvable && std::isfinite(report.residual) &&
-                     junctions.possible && bubbles.possible;
+  report.converged = halted && now.solvable && std::isfinite(report.residual) && measures.possible;
   return report;
 }
 

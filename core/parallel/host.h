@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a parallel algorithm is written against: a machine with arrays of its own, loops and
-// reductions. Host is this machine; cuda/ has the GPU under the same names.
+// What a parallel algorithm is written against: a machine with arrays of its own, loops,
+// reductions and sorting. Host is this machine; cuda/ has the GPU under the same names.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -52,6 +53,9 @@ public:
     }
     return zero;
   }
+
+  /// Puts keys into ascending order.
+  void sort(std::uint64_t* keys, Index size) const { std::sort(keys, keys + size); }
 
 private:
   template <class Kernel> std::size_t least_per_thread() const {

@@ -15,6 +15,14 @@ template <class T> struct Fill {
   FOAM_HOST_DEVICE void operator()(Index i) const { array[i] = value; }
 };
 
+/// to[i] ← from[i]
+template <class T> struct Copy {
+  const T* from = nullptr;
+  T* to = nullptr;
+
+  FOAM_HOST_DEVICE void operator()(Index i) const { to[i] = from[i]; }
+};
+
 struct Add {
   template <class T> FOAM_HOST_DEVICE T operator()(const T& a, const T& b) const { return a + b; }
 };

@@ -28,6 +28,13 @@ inline constexpr std::uint64_t kNoBid = ~std::uint64_t{0};
 /// on the world has two other bubbles.
 using Touched = std::array<Index, 5>;
 
+/// The bubbles along a film and at its ends.
+FOAM_HOST_DEVICE inline Touched bubbles_around_film(const FoamView& mesh, Index film) {
+  const Index h = 2 * film;
+  return {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
+          mesh.left(mesh.next_around_junction(FoamView::twin(h))), kWorld};
+}
+
 namespace detail {
 
 template <class Operation> struct PlaceBids {

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton's method without a factorisation, against the derivatives of the energy, against direct
+// solvers, and against NewtonEquilibrator.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "build/honeycomb.h"
+#include "equilibrium/krylov_equilibrator.h"
+#include "equilibrium/newton_equilibrator.h"
+#include "foams.h"
+
+namespace foam {
+namespace {
+
+using namespace newton;
+
+Foam disordered(Index side, double displacement = 0.1, double swaps = 0.1) {
+  return honeycomb({.columns = side, .rows = side, .displacement = displacement, .swaps = swaps});
+}
+
+/// The equations of a foam, on the host.
+class Equations {
+public:
+  explicit Equations(Foam& foam, double stiffening = 0)
+      : mesh_(view_of(foam)), units_{foam.mean_spacing(), 2 * foam.surface_tension},
+        stiffness_(foam.film_angle.size()), gradient_(foam.film_angle.size()) {
+    host_.for_each(mesh_.films,
+                   Linearise{mesh_, units_, stiffening, stiffness_.data(), gradient_.data()});
+    preconditioner_.set_up(matrix(), units_);
+  }
+
+  Index size() const { return size_of(mesh_); }
+  const Units& units() const { return units_; }
+  WholeFoamMatrix matrix() const { return {mesh_, stiffness_.data()}; }
+
+  Eigen::VectorXd right() {
+    Eigen::VectorXd vector = Eigen::VectorXd::Zero(size());
+    host_.for_each(mesh_.junctions + mesh_.bubbles,
+                   RightHandSide{mesh_, units_, gradient_.data(), vector.data()});
+    return vector;
+  }
+  Eigen::VectorXd product(const Eigen::VectorXd& x) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(size());
+    host_.for_each(mesh_.junctions + mesh_.bubbles, Multiply{matrix(), x.data(), y.data()});
+    return y;
+  }
+  Eigen::VectorXd preconditioned(const Eigen::VectorXd& x) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(size());
+    preconditioner_.apply(x.data(), y.data());
+    return y;
+  }
+  int solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) {
+    x.resize(size());
+    return MinimalResidual<Host>(host_).solve(
+        size(), b.data(), x.data(), tolerance, 500,
+        [&](const double* from, double* to) {
+          host_.for_each(mesh_.junctions + mesh_.bubbles, Multiply{matrix(), from, to});
+        },
+        [&](const double* from, double* to) { preconditioner_.apply(from, to); });
+  }
+
+  /// Whether an entry of a vector stands for a junction that moves or a bubble that is there.
+  bool is_unknown(Index i) const {
+    return i < 2 * mesh_.junctions ? moves(mesh_, i / 2)
+                                   : mesh_.has_bubble(i - 2 * mesh_.junctions);
+  }
+
+  template <class Map> Eigen::MatrixXd matrix_of(const Map& map) const {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size(), size());
+    for (Index i = 0; i < size(); ++i) {
+      if (is_unknown(i)) {
+        all.col(i) = map(Eigen::VectorXd::Unit(size(), i));
+      }
+    }
+    return all;
+  }
+
+private:
+  Host host_{1};
+  FoamView mesh_;
+  Units units_;
+  std::vector<FilmStiffness> stiffness_;
+  std::vector<FilmGradient> gradient_;
+  FoamPreconditioner<Host> preconditioner_{host_};
+};
+
+Foam sample(Boundary boundary) {
+  Foam foam = boundary == Boundary::Periodic ? disordered(4) : test::random_foam(14, boundary);
+  if (boundary == Boundary::Periodic) {
+    test::equilibrate(foam);
+  }
+  for (std::size_t b = 0; b < foam.pressure.size(); ++b) { // off equilibrium, arcs and all
+    foam.pressure[b] += 0.01 * static_cast<double>(b % 3);
+  }
+  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
+    if (!foam.wall(static_cast<Index>(2 * f))) {
+      foam.film_angle[f] += 0.02 * (static_cast<double>(f % 5) - 2);
+    }
+  }
+  return foam;
+}
+
+class KrylovBoundaries : public testing::TestWithParam<Boundary> {};
+
+/// The half-angles follow, so that to first order a solution takes all of the gradient away:
+/// the right-hand side at x + εs is (1 − ε) of that at x, whatever has been eliminated.
+TEST_P(KrylovBoundaries, MatrixIsTheGradientsDerivative) {
+  Foam foam = sample(GetParam());
+  Equations equations(foam);
+  const Eigen::VectorXd before = equations.right();
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(equations.size());
+  const FoamView mesh = view_of(foam);
+  for (Index i = 0; i < equations.size(); ++i) {
+    direction[i] = equations.is_unknown(i) ? std::sin(1.0 + i) : 0;
+  }
+  const Eigen::VectorXd expected = equations.product(direction);
+  const auto right_at = [&](double epsilon) {
+    Foam moved = foam;
+    const FoamView view = view_of(moved);
+    const Units units = equations.units();
+    const Eigen::VectorXd change = epsilon * direction;
+    // The elimination's own part of a half-angle's change, which is there without a step.
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(equations.size());
+    for (Index f = 0; f < mesh.films; ++f) {
+      if (bends(mesh, f)) {
+        view.film_angle[f] += angle_change(mesh, f, units, 0, change.data()) -
+                              angle_change(mesh, f, units, 0, none.data());
+      }
+    }
+    for (Index j = 0; j < mesh.junctions; ++j) {
+      view.position[j] += units.length * displacement(change.data(), j);
+    }
+    for (Index b = 0; b < mesh.bubbles; ++b) {
+      view.pressure[b] += units.pressure() * pressure_in(mesh, change.data(), b);
+    }
+    // The gradient itself: the eliminated angles' residuals left out.
+    std::vector<FilmGradient> gradient(moved.film_angle.size());
+    for (Index f = 0; f < mesh.films; ++f) {
+      if (bends(mesh, f)) {
+        const FilmLagrangian phi = film_derivatives(view, f, units, 0);
+        gradient[Foam::size(f)] = {
+            {phi.gradient[0], phi.gradient[1]}, {phi.gradient[2], phi.gradient[3]}, 0};
+      }
+    }
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(equations.size());
+    Host(1).for_each(mesh.junctions + mesh.bubbles,
+                     RightHandSide{view, units, gradient.data(), right.data()});
+    return right;
+  };
+  constexpr double kStep = 1e-5;
+  const Eigen::VectorXd measured = -(right_at(kStep) - right_at(-kStep)) / (2 * kStep);
+  EXPECT_LT((measured - expected).norm(), 1e-7 * expected.norm());
+  EXPECT_GT(before.norm(), 1e-2) << "not in equilibrium";
+}
+
+TEST_P(KrylovBoundaries, MatrixIsSymmetric) {
+  Foam foam = sample(GetParam());
+  Equations equations(foam);
+  const Eigen::MatrixXd k =
+      equations.matrix_of([&](const auto& x) { return equations.product(x); });
+  EXPECT_LT((k - k.transpose()).norm(), 1e-13 * k.norm());
+}
+
+/// What MINRES asks of it.
+TEST_P(KrylovBoundaries, PreconditionerIsSymmetricAndPositive) {
+  Foam foam = sample(GetParam());
+  Equations equations(foam);
+  const Eigen::MatrixXd p =
+      equations.matrix_of([&](const auto& x) { return equations.preconditioned(x); });
+  EXPECT_LT((p - p.transpose()).norm(), 1e-12 * p.norm());
+  const Eigen::VectorXd eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(p).eigenvalues();
+  EXPECT_GT(eigenvalues.minCoeff(), -1e-12 * eigenvalues.maxCoeff());
+  Index unknowns = 0; // the others' rows are zero
+  for (Index i = 0; i < equations.size(); ++i) {
+    unknowns += equations.is_unknown(i) ? 1 : 0;
+  }
+  const auto positive = (eigenvalues.array() > 1e-6 * eigenvalues.maxCoeff()).count();
+  EXPECT_EQ(positive, unknowns);
+}
+
+/// The step is that of NewtonEquilibrator's matrix and factorisation.
+TEST_P(KrylovBoundaries, StepIsThatOfAFactorisation) {
+  Foam foam = sample(GetParam());
+  Equations equations(foam);
+  Eigen::VectorXd right = equations.right();
+  if (GetParam() != Boundary::Free) {
+    right.tail(foam.bubble_capacity()).array() -= right.tail(foam.bubble_capacity()).mean();
+  }
+  Eigen::VectorXd solution;
+  equations.solve(right, solution, 1e-12);
+  LagrangianSystem system;
+  system.set_up(foam, whole_foam(foam));
+  system.evaluate(foam);
+  ASSERT_TRUE(system.factorise(foam, foam.bubble_capacity()));
+  const Step& step = system.newton_step(foam);
+  // Moves that cost nothing are of no account: compare how films grow.
+  double largest = 0;
+  double difference = 0;
+  for (const Index f : system.region().films) {
+    const Vec2 there = system.chord_change(foam, f, step);
+    const Vec2 here = equations.units().length * (displacement(solution.data(), foam.end(2 * f)) -
+                                                  displacement(solution.data(), foam.start(2 * f)));
+    const Vec2 along = (1 / norm(foam.chord(2 * f))) * foam.chord(2 * f);
+    largest = std::max(largest, std::abs(dot(there, along)));
+    difference = std::max(difference, std::abs(dot(here - there, along)));
+  }
+  EXPECT_LT(difference, 1e-5 * largest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Krylov, KrylovBoundaries,
+                         testing::Values(Boundary::Free, Boundary::Periodic, Boundary::Fixed));
+
+/// Coarsened elements have the energy of what the coarse grid's displacements are on the fine one.
+TEST(Krylov, CoarsenedElementsAreThoseOfTheNestedSpace) {
+  const Grid fine{8, 4, true, {}, {0.5, 1}};
+  std::vector<Element> elements(Foam::size(fine.cells()));
+  for (Index cell = 0; cell < fine.cells(); ++cell) {
+    elements[Foam::size(cell)].add_square({cell, {0.3, 0.6}}, fine.cell, {1, 0.2}, {-0.4, 0.7},
+                                          1.0 + cell);
+  }
+  const Grid coarse = fine.coarsened();
+  std::vector<Element> coarsened(Foam::size(coarse.cells()));
+  Host host;
+  host.for_each(coarse.cells(), CoarsenElement{fine, coarse, elements.data(), coarsened.data()});
+  const auto n = static_cast<std::size_t>(2 * fine.nodes());
+  const auto m = static_cast<std::size_t>(2 * coarse.nodes());
+  for (std::size_t i = 0; i < m; ++i) {
+    std::vector<double> x(m), up(n), product(n), down(m);
+    x[i] = 1;
+    host.for_each(fine.nodes(), ProlongateGrid{fine, coarse, x.data(), up.data()});
+    for (Index node = 0; node < fine.nodes(); ++node) {
+      set_displacement(product.data(), node,
+                       GridMatrix{fine, elements.data()}.row(up.data(), node));
+    }
+    host.for_each(coarse.nodes(), RestrictGrid{fine, coarse, product.data(), down.data()});
+    for (Index node = 0; node < coarse.nodes(); ++node) {
+      const Vec2 row = GridMatrix{coarse, coarsened.data()}.row(x.data(), node);
+      EXPECT_NEAR(row.x, down[Foam::size(2 * node)], 1e-12);
+      EXPECT_NEAR(row.y, down[Foam::size(2 * node + 1)], 1e-12);
+    }
+  }
+}
+
+/// Sixteen times the bubbles, about the same iterations.
+TEST(Krylov, IterationsDoNotGrowWithTheFoam) {
+  const auto iterations = [](Index side) {
+    Foam foam = disordered(side, 0.15, 0.2);
+    EXPECT_TRUE(KrylovEquilibrator({}).equilibrate(foam, 0.05, {}).converged);
+    Equations equations(foam);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(equations.size());
+    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+      right[2 * foam.junction_capacity() + b] = foam.sides[Foam::size(b)] - 6;
+    }
+    Eigen::VectorXd solution;
+    const int count = equations.solve(right, solution, 1e-6);
+    EXPECT_LT((equations.product(solution) - right).norm(), 1e-5 * right.norm());
+    return count;
+  };
+  const int few = iterations(16);
+  const int many = iterations(64);
+  EXPECT_LT(few, 40);
+  EXPECT_LT(many, 1.3 * few);
+}
+
+EquilibratorOptions to(double tolerance) {
+  EquilibratorOptions options;
+  options.tolerance = tolerance;
+  return options;
+}
+
+void expect_same_equilibrium(const Foam& a, const Foam& b) {
+  ASSERT_EQ(a.half_junction, b.half_junction);
+  for (Index f = 0; f < a.film_capacity(); ++f) {
+    if (a.has_film(f)) {
+      EXPECT_NEAR(a.length(2 * f), b.length(2 * f), 1e-8 * a.mean_spacing());
+    }
+  }
+}
+
+TEST(Krylov, FindsTheEquilibriumOfThePeriodicFoam) {
+  Foam here = disordered(12, 0.1, 0.1);
+  Foam there = here;
+  const double t1_length = 0.01;
+  EXPECT_TRUE(KrylovEquilibrator(to(1e-11)).equilibrate(here, t1_length, {}).converged);
+  EXPECT_TRUE(NewtonEquilibrator(to(1e-11)).equilibrate(there, t1_length, {}).converged);
+  test::expect_equilibrium(here);
+  test::expect_valid(here);
+  expect_same_equilibrium(here, there);
+}
+
+/// A foam in equilibrium whose bubbles' targets change by a tenth, with every boundary.
+TEST(Krylov, FollowsTheGas) {
+  for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
+    Foam here = test::random_foam(60, boundary, 3);
+    const double total = here.target_area[0] + here.target_area[1];
+    for (std::size_t b = 0; b + 1 < here.target_area.size(); b += 2) {
+      const double gas = 0.1 * std::min(here.target_area[b], here.target_area[b + 1]);
+      here.target_area[b] += gas;
+      here.target_area[b + 1] -= gas;
+    }
+    EXPECT_NEAR(here.target_area[0] + here.target_area[1], total, 1e-12);
+    Foam there = here;
+    EXPECT_TRUE(KrylovEquilibrator(to(1e-11)).equilibrate(here, 0, {}).converged)
+        << static_cast<int>(boundary) << " " << here.report.residual;
+    EXPECT_TRUE(NewtonEquilibrator(to(1e-11)).equilibrate(there, 0, {}).converged);
+    test::expect_equilibrium(here);
+    test::expect_valid(here);
+    expect_same_equilibrium(here, there);
+  }
+}
+
+/// Films that are short and pulled shut are swapped on the way.
+TEST(Krylov, SwapsFilmsThatArePulledShut) {
+  Foam foam = disordered(16, 0.15, 0.5);
+  KrylovEquilibrator({}).equilibrate(foam, 0.4, {});
+  EXPECT_GT(foam.t1_count, 0);
+  test::expect_equilibrium(foam);
+  test::expect_valid(foam);
+}
+
+TEST(Krylov, GivesTheSameBitsForAnyNumberOfThreads) {
+  std::vector<Foam> foams;
+  for (const int threads : {1, 2, 5}) {
+    foams.push_back(disordered(12, 0.15, 0.5));
+    KrylovEquilibrator({}, threads, 64).equilibrate(foams.back(), 0.4, {});
+    EXPECT_TRUE(foams.back().report.converged);
+    EXPECT_EQ(foams.back().position, foams.front().position);
+    EXPECT_EQ(foams.back().pressure, foams.front().pressure);
+    EXPECT_EQ(foams.back().film_angle, foams.front().film_angle);
+    EXPECT_EQ(foams.back().half_junction, foams.front().half_junction);
+  }
+}
+
+TEST(Krylov, LeavesTheFoamAsItWasWhenItIsAborted) {
+  const Foam start = disordered(8);
+  Foam foam = start;
+  int calls = 0;
+  EXPECT_THROW(KrylovEquilibrator({}).equilibrate(foam, 0.1, [&] { return ++calls > 2; }), Aborted);
+  EXPECT_EQ(foam.position, start.position);
+  EXPECT_EQ(foam.pressure, start.pressure);
+  EXPECT_EQ(foam.topology, start.topology);
+}
+
+} // namespace
+} // namespace foam

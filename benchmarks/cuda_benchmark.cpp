@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The thesis's frame on the GPU: how fast it is, and whether it does what the processor does.
-// Writes a page in Markdown to the standard output; scripts/gpu-check runs it.
+// The thesis's frame on the GPU, and frames with Newton's method there: how fast they are, and
+// whether they do what the processor does. Writes a page in Markdown to the standard output;
+// scripts/gpu-check runs it.
 #include <cuda_runtime_api.h>
 
 #include <algorithm>
@@ -17,11 +18,21 @@
 
 #include "build/honeycomb.h"
 #include "evolution/coarsening.h"
+#include "evolution/cuda_frame_coarsening.h"
+#include "evolution/parallel_frame.h"
+#include "parallel/host.h"
 
 namespace foam {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* kFrameColumns =
+    "| bubbles | frames | s | frames/s | iterations of the last | residual | T1 | T2 | GiB "
+    "| s to fetch |\n|--|--|--|--|--|--|--|--|--|--|\n";
+constexpr const char* kCompareColumns =
+    "| bubbles | frames | same operations | same lengths | largest difference at the end "
+    "| s a frame, device | s a frame, processor |\n|--|--|--|--|--|--|--|\n";
 
 /// A disordered foam on a torus; its bubbles have an area of about 1 cm².
 Foam start(Index columns, Index rows) {
@@ -38,6 +49,43 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
   coarsening->restart(std::move(foam));
   return coarsening;
 }
+
+/// Frames with Newton's equilibria. The T1 length and the T2 area are so large that bubbles lose
+/// their sides, and vanish, before a frame takes more gas than they have.
+CoarseningOptions newton_frames(double tolerance) {
+  CoarseningOptions options;
+  options.thresholds.t1_length = 0.2;
+  options.thresholds.t2_area = 0.06;
+  options.equilibrator.tolerance = tolerance;
+  return options;
+}
+
+std::unique_ptr<Coarsening> newton_on_device(double tolerance, Foam foam) {
+  auto coarsening = cuda::make_frame_coarsening(newton_frames(tolerance));
+  coarsening->restart(std::move(foam));
+  return coarsening;
+}
+
+/// The same frames on the processor.
+class NewtonOnProcessor final : public Coarsening {
+public:
+  NewtonOnProcessor(double tolerance, Foam foam)
+      : frame_(host_, newton_frames(tolerance)), foam_(std::move(foam)) {}
+
+  void restart(Foam foam) override { foam_ = std::move(foam); }
+  bool advance(const AbortCheck& aborted) override {
+    const FrameResult result = frame_.advance(view_of(foam_), aborted);
+    count(foam_, result.operations);
+    foam_.report = result.report;
+    return result.performed;
+  }
+  const Foam& foam() const override { return foam_; }
+
+private:
+  Host host_;
+  ParallelFrame<Host> frame_;
+  Foam foam_;
+};
 
 /// Seconds for some frames. \throws FoamError if the foam cannot go on for so long.
 double advance(Coarsening& coarsening, int frames) {
@@ -69,9 +117,9 @@ double difference(const Foam& a, const Foam& b) {
 }
 
 /// The same foam on both, frame by frame.
-void compare(Index columns, Index rows, int frames) {
-  const auto there = coarsening_on(Device::CUDA, start(columns, rows));
-  const auto here = coarsening_on(Device::CPU, start(columns, rows));
+void compare(const std::unique_ptr<Coarsening>& there, const std::unique_ptr<Coarsening>& here,
+             int frames) {
+  const Index bubbles = here->foam().bubble_count();
   double seconds_there = 0;
   double seconds_here = 0;
   int same_operations = 0;
@@ -83,19 +131,20 @@ void compare(Index columns, Index rows, int frames) {
     same_operations += same && same_operations == frame ? 1 : 0;
     close += close == frame && difference(there->foam(), here->foam()) < 1e-8 ? 1 : 0;
   }
-  std::cout << "| " << columns * rows << " | " << frames << " | " << same_operations << " | "
-            << close << " | " << difference(there->foam(), here->foam()) << " | "
-            << seconds_there / frames << " | " << seconds_here / frames << " |" << std::endl;
+  std::cout << "| " << bubbles << " | " << frames << " | " << same_operations << " | " << close
+            << " | " << difference(there->foam(), here->foam()) << " | " << seconds_there / frames
+            << " | " << seconds_here / frames << " |" << std::endl;
 }
 
 /// Frames as they follow one another, the foam left on the device.
-void time_frames(Index columns, Index rows, int frames) {
+template <class Make> void time_frames(const Make& make, Index columns, Index rows, int frames) {
   std::size_t free_before = 0;
   std::size_t free_after = 0;
   std::size_t total = 0;
   cudaMemGetInfo(&free_before, &total);
-  const auto coarsening = coarsening_on(Device::CUDA, start(columns, rows));
-  advance(*coarsening, 1); // allocates, and loads the kernels
+  const auto coarsening = make(start(columns, rows));
+  advance(*coarsening,
+          1); // allocates, loads the kernels, and takes the foam to its first equilibrium
   const double seconds = advance(*coarsening, frames);
   cudaMemGetInfo(&free_after, &total);
   const auto fetch = Clock::now();
@@ -129,18 +178,32 @@ int main(int argc, char** argv) {
             << static_cast<double>(device.totalGlobalMem) / 0x1p30
             << " GiB, beside a processor with " << std::thread::hardware_concurrency()
             << " threads.\n\n## Frames that follow one another\n\n"
-            << "| bubbles | frames | s | frames/s | sweeps of the last | residual | T1 | T2 | GiB "
-               "| s to fetch |\n|--|--|--|--|--|--|--|--|--|--|\n";
-  time_frames(50, 40, 1000); // the thesis's test: 72 minutes on a GTS 250
-  time_frames(320, 312, 100);
-  time_frames(1000, 1000, 20);
-  std::cout
-      << "\n## Device and processor, the same foam\n\n"
-      << "Frames from the first on in which the operations are the same, and in which all "
-         "films' lengths are within 1e-8.\n\n"
-      << "| bubbles | frames | same operations | same lengths | largest difference at the end "
-         "| s a frame, device | s a frame, processor |\n|--|--|--|--|--|--|--|\n";
-  compare(50, 40, 100);
-  compare(320, 312, 100);
+            << kFrameColumns;
+  const auto thesis = [](Foam foam) { return coarsening_on(Device::CUDA, std::move(foam)); };
+  time_frames(thesis, 50, 40, 1000); // the thesis's test: 72 minutes on a GTS 250
+  time_frames(thesis, 320, 312, 100);
+  time_frames(thesis, 1000, 1000, 20);
+  std::cout << "\n## The same with Newton's method to a residual of 1e-5\n\n" << kFrameColumns;
+  const auto newton = [](Foam foam) { return newton_on_device(1e-5, std::move(foam)); };
+  time_frames(newton, 50, 40, 100);
+  time_frames(newton, 320, 312, 30);
+  time_frames(newton, 1000, 1000, 10);
+  std::cout << "\n## Device and processor, the same foam\n\n"
+            << "Frames from the first on in which the operations are the same, and in which all "
+               "films' lengths are within 1e-8.\n\n"
+            << kCompareColumns;
+  const auto compare_thesis = [](Index columns, Index rows) {
+    compare(coarsening_on(Device::CUDA, start(columns, rows)),
+            coarsening_on(Device::CPU, start(columns, rows)), 100);
+  };
+  compare_thesis(50, 40);
+  compare_thesis(320, 312);
+  std::cout << "\n## The same with Newton's method to a residual of 1e-10\n\n" << kCompareColumns;
+  const auto compare_newton = [](Index columns, Index rows, int frames) {
+    compare(newton_on_device(1e-10, start(columns, rows)),
+            std::make_unique<NewtonOnProcessor>(1e-10, start(columns, rows)), frames);
+  };
+  compare_newton(50, 40, 100);
+  compare_newton(320, 312, 10);
   return 0;
 }

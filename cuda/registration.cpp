@@ -5,6 +5,7 @@
 
 #include <cuda_runtime_api.h>
 
+#include "equilibrium/cuda_newton_equilibrator.h"
 #include "evolution/cuda_frame_coarsening.h"
 #include "junction/cuda_junction_equilibrator.h"
 
@@ -25,8 +26,13 @@ std::string unavailable() {
   return devices > 0 ? "" : nothing + "there are 0";
 }
 
+std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
+  return options.kind == EquilibratorKind::Newton ? make_newton_equilibrator(options)
+                                                  : make_junction_equilibrator(options);
+}
+
 [[maybe_unused]] const bool registered = [] {
-  register_cuda({unavailable, make_junction_equilibrator, make_frame_coarsening});
+  register_cuda({unavailable, make_equilibrator, make_frame_coarsening});
   return true;
 }();
 

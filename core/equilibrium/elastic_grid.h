@@ -111,23 +111,39 @@ FOAM_HOST_DEVICE inline GridPlace place_in(const Grid& grid, Vec2 position) {
 /// The stiffness of a cell's four corners, (x, y) after (x, y).
 struct Element {
   std::array<std::array<double, 8>, 8> k{};
+};
 
-  /// Adds weight·(functional)², the functional being linear in the gradient of the displacement:
-  /// Σ_ik c_ik ∂u_i/∂x_k. \param row_x c_xx, c_xy; \param row_y c_yx, c_yy.
-  FOAM_HOST_DEVICE void add_square(const GridPlace& place, Vec2 size, Vec2 row_x, Vec2 row_y,
-                                   double weight) {
-    std::array<double, 8> value{};
-    for (int corner = 0; corner < 4; ++corner) {
-      const Vec2 gradient = place.gradient(corner, size);
-      const auto c = static_cast<std::size_t>(2 * corner);
-      value[c] = dot(row_x, gradient);
-      value[c + 1] = dot(row_y, gradient);
+/// What corner k of a cell has to do with a functional that is linear in the gradient of the
+/// displacement, Σ_ik c_ik ∂u_i/∂x_k: its factors of the corner's x and y.
+/// \param row_x c_xx, c_xy; \param row_y c_yx, c_yy.
+FOAM_HOST_DEVICE inline Vec2 share_of_corner(const GridPlace& place, Vec2 size, int corner,
+                                             Vec2 row_x, Vec2 row_y) {
+  const Vec2 gradient = place.gradient(corner, size);
+  return {dot(row_x, gradient), dot(row_y, gradient)};
+}
+
+/// The rows of an element's matrix that belong to one of its corners.
+struct ElementRows {
+  std::array<std::array<double, 8>, 2> k{};
+
+  /// Adds weight·(functional)².
+  FOAM_HOST_DEVICE void add_square(const GridPlace& place, Vec2 size, int corner, Vec2 row_x,
+                                   Vec2 row_y, double weight) {
+    const Vec2 own = weight * share_of_corner(place, size, corner, row_x, row_y);
+    for (int other = 0; other < 4; ++other) {
+      const Vec2 value = share_of_corner(place, size, other, row_x, row_y);
+      const auto o = static_cast<std::size_t>(2 * other);
+      k[0][o] += own.x * value.x;
+      k[0][o + 1] += own.x * value.y;
+      k[1][o] += own.y * value.x;
+      k[1][o + 1] += own.y * value.y;
     }
-    for (std::size_t i = 0; i < 8; ++i) {
-      for (std::size_t j = 0; j < 8; ++j) {
-        k[i][j] += weight * value[i] * value[j];
-      }
-    }
+  }
+
+  FOAM_HOST_DEVICE void write(Element& element, int corner) const {
+    const auto c = static_cast<std::size_t>(2 * corner);
+    element.k[c] = k[0];
+    element.k[c + 1] = k[1];
   }
 };
 
@@ -176,38 +192,43 @@ FOAM_HOST_DEVICE inline GridPlace corner_in_parent(Index parent, int child, int 
   return {parent, {0.5 * ((child & 1) + (corner & 1)), 0.5 * ((child >> 1) + (corner >> 1))}};
 }
 
-/// The elements of the grid that is coarser by one.
+/// The elements of the grid that is coarser by one; one index for every pair of an element's
+/// corners.
 struct CoarsenElement {
   Grid fine, coarse;
   const Element* from = nullptr;
   Element* to = nullptr;
 
-  FOAM_HOST_DEVICE void operator()(Index cell) const {
-    Element sum;
+  FOAM_HOST_DEVICE static Index size(const Grid& coarse) { return 16 * coarse.cells(); }
+
+  FOAM_HOST_DEVICE void operator()(Index i) const {
+    const Index cell = i / 16;
+    const int row = (i / 4) % 4;
+    const int column = i % 4;
+    double xx = 0, xy = 0, yx = 0, yy = 0;
     for (int child = 0; child < 4; ++child) {
-      const Index i = 2 * (cell % coarse.columns) + (child & 1);
-      const Index j = 2 * (cell / coarse.columns) + (child >> 1);
-      const auto& k = from[i + fine.columns * j].k;
+      const Index x = 2 * (cell % coarse.columns) + (child & 1);
+      const Index y = 2 * (cell / coarse.columns) + (child >> 1);
+      const auto& k = from[x + fine.columns * y].k;
       for (int a = 0; a < 4; ++a) {
-        const GridPlace place_a = corner_in_parent(cell, child, a);
         for (int b = 0; b < 4; ++b) {
-          const GridPlace place_b = corner_in_parent(cell, child, b);
-          for (int r = 0; r < 4; ++r) {
-            for (int c = 0; c < 4; ++c) {
-              const double weight = place_a.weight(r) * place_b.weight(c);
-              for (std::size_t x = 0; x < 2; ++x) {
-                for (std::size_t y = 0; y < 2; ++y) {
-                  sum.k[static_cast<std::size_t>(2 * r) + x][static_cast<std::size_t>(2 * c) + y] +=
-                      weight *
-                      k[static_cast<std::size_t>(2 * a) + x][static_cast<std::size_t>(2 * b) + y];
-                }
-              }
-            }
-          }
+          const double weight = corner_in_parent(cell, child, a).weight(row) *
+                                corner_in_parent(cell, child, b).weight(column);
+          const auto r = static_cast<std::size_t>(2 * a);
+          const auto c = static_cast<std::size_t>(2 * b);
+          xx += weight * k[r][c];
+          xy += weight * k[r][c + 1];
+          yx += weight * k[r + 1][c];
+          yy += weight * k[r + 1][c + 1];
         }
       }
     }
-    to[cell] = sum;
+    const auto r = static_cast<std::size_t>(2 * row);
+    const auto c = static_cast<std::size_t>(2 * column);
+    to[cell].k[r][c] = xx;
+    to[cell].k[r][c + 1] = xy;
+    to[cell].k[r + 1][c] = yx;
+    to[cell].k[r + 1][c + 1] = yy;
   }
 };
 

@@ -238,31 +238,34 @@ struct CellLists {
 };
 
 /// The continuum in a cell: half of the films of each of its junctions, and an equal share of each
-/// of the bubbles there, as if the gradient of the displacement were the same all over them.
+/// of the bubbles there, as if the gradient of the displacement were the same all over them. One
+/// index for every corner of a cell.
 struct AssembleElement {
   Solid solid;
   Units units;
   CellLists lists;
   Element* element = nullptr;
 
-  FOAM_HOST_DEVICE void operator()(Index cell) const {
+  FOAM_HOST_DEVICE void operator()(Index i) const {
     const FoamView& mesh = solid.matrix.mesh;
-    Element sum;
+    const Index cell = i / 4;
+    const int corner = i % 4;
+    ElementRows sum;
     lists.for_each_in(cell, [&](Index junction) {
       const GridPlace& place = lists.place[junction];
       for (const Index h : mesh.junction_half[FoamView::size(junction)]) {
         const Vec2 across = solid.across[FoamView::film_of(h)];
         const Vec2 chord = (1 / units.length) * mesh.chord(h);
-        sum.add_square(place, lists.grid.cell, across.x * chord, across.y * chord, 0.5);
+        sum.add_square(place, lists.grid.cell, corner, across.x * chord, across.y * chord, 0.5);
         const Index bubble = mesh.left(h);
         if (bubble != kWorld) {
           const double area = mesh.area(bubble) / (units.length * units.length);
-          sum.add_square(place, lists.grid.cell, {1, 0}, {0, 1},
+          sum.add_square(place, lists.grid.cell, corner, {1, 0}, {0, 1},
                          solid.bulk[bubble] * area * area / mesh.sides[bubble]);
         }
       }
     });
-    element[cell] = sum;
+    sum.write(element[cell], corner);
   }
 };
 
@@ -571,13 +574,13 @@ private:
     machine_.for_each(finest.cells() + 1, FindCell{key_.data(), mesh.junctions, first_.data()});
     used_ = 0;
     Level& first = use_level(finest);
-    machine_.for_each(finest.cells(),
+    machine_.for_each(4 * finest.cells(),
                       AssembleElement{solid_, units, lists(), first.element.data()});
     prepare(first.matrix(), first.smoother, finest.nodes());
     while (levels_[used_ - 1].grid.can_be_coarsened()) {
       const std::size_t fine = used_ - 1;
       Level& coarse = use_level(levels_[fine].grid.coarsened());
-      machine_.for_each(coarse.grid.cells(),
+      machine_.for_each(CoarsenElement::size(coarse.grid),
                         CoarsenElement{levels_[fine].grid, coarse.grid,
                                        levels_[fine].element.data(), coarse.element.data()});
       prepare(coarse.matrix(), coarse.smoother, coarse.grid.nodes());

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "equilibrium/compressible_relaxation.h"
+
 namespace foam {
 
 KrylovEquilibrator::KrylovEquilibrator(const EquilibratorOptions& options, int threads,
@@ -12,11 +14,12 @@ KrylovEquilibrator::KrylovEquilibrator(const EquilibratorOptions& options, int t
 EquilibriumReport KrylovEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
   Foam changed = foam;
+  if (newton_.hemmed_in(view_of(changed))) {
+    relax_compressible(changed, t1_length, aborted);
+  }
   const newton::NewtonResult result = newton_.equilibrate(view_of(changed), t1_length, aborted);
   foam = std::move(changed);
-  foam.t1_count += result.t1;
-  foam.topology += static_cast<std::uint64_t>(result.t1);
-  foam.report = result.report;
+  newton::note(foam, result);
   return foam.report;
 }
 

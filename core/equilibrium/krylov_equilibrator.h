@@ -7,7 +7,8 @@
 namespace foam {
 
 /// ParallelNewton on the processor's threads: Newton's method for a whole foam without a matrix to
-/// factorise. The result is the same to the bit for any number of threads.
+/// factorise. A foam far from equilibrium is first relaxed as if its gas were soft
+/// (relax_compressible). The result is the same to the bit for any number of threads.
 class KrylovEquilibrator final : public Equilibrator {
 public:
   /// \param threads 0 stands for all there are. \param least_per_thread see Host.

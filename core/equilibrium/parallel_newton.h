@@ -7,7 +7,8 @@
 //
 // Nothing is factorised, so that no inertia tells whether a step leads to a minimum. Far from
 // equilibrium, and where the penalty function does not fall along a step, films are stiffened
-// (film_derivatives) until it does: they resist being stretched, as springs do.
+// (film_derivatives) until it does: they resist being stretched, as springs do. From where that
+// does not help, relax_compressible() does, on the processor: ask hemmed_in().
 #pragma once
 
 #include <algorithm>
@@ -46,6 +47,7 @@ struct StepView {
 namespace detail {
 
 inline constexpr double kLargestTurn = 0.5; // rad that an arc may turn in one step
+inline constexpr double kLargestMove = 0.3; // of a junction's shortest film, in a limited step
 
 struct ForceAt {
   FoamView mesh;
@@ -227,6 +229,42 @@ struct LongestStep {
   }
 };
 
+/// No junction moves by more than a part of its shortest film (limited_step).
+struct LimitJunction {
+  FoamView mesh;
+  StepView step;
+
+  FOAM_HOST_DEVICE void operator()(Index junction) const {
+    if (!moves(mesh, junction)) {
+      return;
+    }
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index h : mesh.junction_half[FoamView::size(junction)]) {
+      shortest = std::min(shortest, norm(mesh.chord(h)));
+    }
+    const double length = norm(step.junction[junction]);
+    if (length > kLargestMove * shortest) {
+      step.junction[junction] = (kLargestMove * shortest / length) * step.junction[junction];
+    }
+  }
+};
+
+/// No arc turns by more than half a radian (limited_step).
+struct LimitAngle {
+  FoamView mesh;
+  StepView step;
+
+  FOAM_HOST_DEVICE void operator()(Index film) const {
+    const double alpha = mesh.film_angle[film];
+    const double room = std::numbers::pi - std::abs(alpha);
+    double largest = kLargestTurn;
+    if (step.angle[film] * alpha > 0) {
+      largest = std::min(largest, 0.5 * room);
+    }
+    step.angle[film] = std::clamp(step.angle[film], -largest, largest);
+  }
+};
+
 /// to[i] ← from[i] + fraction·step[i]
 template <class T> struct Walk {
   const T* from = nullptr;
@@ -341,6 +379,13 @@ struct NewtonResult {
   int inner_iterations = 0; ///< of MINRES, all in all
 };
 
+/// Notes in a foam what has been done to its arrays.
+inline void note(Foam& foam, const NewtonResult& result) {
+  foam.t1_count += result.t1;
+  foam.topology += static_cast<std::uint64_t>(result.t1);
+  foam.report = result.report;
+}
+
 template <class Machine> class ParallelNewton {
 public:
   ParallelNewton(Machine& machine, const EquilibratorOptions& options)
@@ -350,11 +395,7 @@ public:
   /// Brings a mesh to equilibrium, swapping films shorter than t1_length (cm) that are pulled shut.
   /// Where it throws Aborted the mesh is somewhere in between.
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
-    resize(mesh);
-    machine_.for_each(mesh.films, parallel::Fill<std::uint8_t>{swaps_.data(), 0});
-    const detail::Total area =
-        machine_.reduce(mesh.bubbles, detail::Total{}, detail::TargetArea{mesh}, parallel::Add{});
-    units_ = {std::sqrt(area.mean().x), 2 * mesh.surface_tension};
+    prepare(mesh);
     NewtonResult result;
     double residual = residuals(mesh).largest();
     double best = std::numeric_limits<double>::infinity();
@@ -374,7 +415,7 @@ public:
       result.inner_iterations += find_step(mesh, stiffening, residual);
       machine_.for_each(
           mesh.films, detail::MarkClosing{mesh, step(), t1_length, swaps_.data(), closing_.data()});
-      const double taken = search_line(mesh, residual);
+      const double taken = search_line(mesh, residual, stiffening);
       const std::int64_t swapped =
           bidding_.run(mesh, ClosingFilmBids{closing_.data(), swaps_.data()}).t1;
       result.t1 += swapped;
@@ -398,10 +439,23 @@ public:
     return result;
   }
 
+  /// Whether a mesh is so far from equilibrium that some film is in the way of Newton's first step:
+  /// relax_compressible() then brings it nearer.
+  bool hemmed_in(const FoamView& mesh) {
+    prepare(mesh);
+    const double residual = residuals(mesh).largest();
+    if (!(residual > kFar)) {
+      return false;
+    }
+    find_step(mesh, 0, residual);
+    return longest_step(mesh) < kHemmedIn;
+  }
+
 private:
   template <class T> using Array = typename Machine::template Array<T>;
 
-  static constexpr double kFar = 0.5; // residual from which on films are stiffened at once
+  static constexpr double kFar = 0.5;       // residual from which on films are stiffened at once
+  static constexpr double kHemmedIn = 0.25; // part of its step that can be taken where it is not
   static constexpr double kFirstStiffening = 1;
   static constexpr double kLeastStiffening = 0.01;
   static constexpr double kLargestStiffening = 1000;
@@ -412,7 +466,12 @@ private:
   static constexpr double kFinest = 1e-4;       // … in between as the residual is
   static constexpr int kInnerIterations = 500;
 
-  void resize(const FoamView& mesh) {
+  double longest_step(const FoamView& mesh) {
+    return machine_.reduce(mesh.films, 1.0, detail::LongestStep{mesh, step()}, detail::Smaller{});
+  }
+
+  /// Makes room for a mesh, and takes its measure.
+  void prepare(const FoamView& mesh) {
     const auto junctions = FoamView::size(mesh.junctions);
     const auto films = FoamView::size(mesh.films);
     const auto bubbles = FoamView::size(mesh.bubbles);
@@ -434,6 +493,10 @@ private:
     }
     stiffness_.resize(films);
     gradient_.resize(films);
+    machine_.for_each(mesh.films, parallel::Fill<std::uint8_t>{swaps_.data(), 0});
+    const detail::Total area =
+        machine_.reduce(mesh.bubbles, detail::Total{}, detail::TargetArea{mesh}, parallel::Add{});
+    units_ = {std::sqrt(area.mean().x), 2 * mesh.surface_tension};
   }
 
   StepView step() { return {junction_step_.data(), angle_step_.data(), pressure_step_.data()}; }
@@ -465,11 +528,17 @@ private:
         },
         [&](const double* from, double* to) { preconditioner_.apply(from, to); });
     remove_gauges(mesh);
+    take_step(mesh, stiffening);
+    return iterations;
+  }
+
+  /// The step that the solution is.
+  void take_step(const FoamView& mesh, double stiffening) {
+    using namespace detail;
     machine_.for_each(mesh.junctions, TakeJunctionStep{units_, solution_.data(), step()});
     machine_.for_each(mesh.bubbles, TakePressureStep{mesh, units_, solution_.data(), step()});
     machine_.for_each(mesh.films,
                       TakeAngleStep{mesh, units_, stiffening, solution_.data(), step()});
-    return iterations;
   }
 
   /// Takes the mean out of a vector's pressures.
@@ -528,7 +597,7 @@ private:
 
   /// Takes as much of the step as can be taken, or backtracks along it, until the residual is
   /// halved or the merit function falls. \returns the fraction of the step taken.
-  double search_line(const FoamView& mesh, double residual) {
+  double search_line(const FoamView& mesh, double residual, double stiffening) {
     using namespace detail;
     const double mu = penalty(mesh);
     const double before = merit(mesh, mu);
@@ -539,7 +608,16 @@ private:
       walk(mesh, fraction);
       return residuals(mesh).largest() < 0.5 * residual || merit(mesh, mu) < before;
     };
-    const double longest = machine_.reduce(mesh.films, 1.0, LongestStep{mesh, step()}, Smaller{});
+    const double longest = longest_step(mesh);
+    if (longest < 1) {
+      machine_.for_each(mesh.junctions, LimitJunction{mesh, step()});
+      machine_.for_each(mesh.films, LimitAngle{mesh, step()});
+      if (improves(1)) {
+        return longest;
+      }
+      walk(mesh, 0);
+      take_step(mesh, stiffening);
+    }
     for (double fraction = longest; fraction > kSmallestStep * longest; fraction *= 0.5) {
       if (improves(fraction)) {
         return fraction;

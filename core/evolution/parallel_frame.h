@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// FrameCoarsening's frame with Sweep::Jacobi and TopologicalAlgorithm::Bidding, every step of it in
-// parallel on a machine (parallel/host.h).
+// FrameCoarsening's frame with TopologicalAlgorithm::Bidding, and Sweep::Jacobi or Newton's method
+// for its equilibrium, every step of it in parallel on a machine (parallel/host.h).
 #pragma once
 
 #include <cmath>
 #include <utility>
 
+#include "equilibrium/parallel_newton.h"
 #include "evolution/collapse_bids.h"
 #include "evolution/diffusion.h"
 #include "evolution/thesis_rules.h"
@@ -120,7 +121,7 @@ template <class Machine> class ParallelFrame {
 public:
   ParallelFrame(Machine& machine, const CoarseningOptions& options)
       : machine_(machine), options_(options), bidding_(machine),
-        jacobi_(machine, options.equilibrator.junction) {}
+        jacobi_(machine, options.equilibrator.junction), newton_(machine, options.equilibrator) {}
 
   /// Advances a mesh by one time step. Where it throws Aborted or has not performed the frame, the
   /// mesh is somewhere in between.
@@ -148,9 +149,15 @@ public:
     result.operations = bidding_.run(mesh, CollapseBids{rules, allowed(mesh.films)});
     machine_.for_each(mesh.bubbles, KeepAbove{mesh.target_area, kLeastTarget * mean_area});
 
-    jacobi_.prepare(mesh);
-    result.report = junction::sweep_to_rest(machine_, mesh, options_.equilibrator, aborted,
-                                            [&] { return jacobi_.sweep(mesh); });
+    if (options_.equilibrator.kind == EquilibratorKind::Newton) {
+      const newton::NewtonResult found = newton_.equilibrate(mesh, limit.t1_length, aborted);
+      result.report = found.report;
+      result.operations.t1 += found.t1;
+    } else {
+      jacobi_.prepare(mesh);
+      result.report = junction::sweep_to_rest(machine_, mesh, options_.equilibrator, aborted,
+                                              [&] { return jacobi_.sweep(mesh); });
+    }
     return result;
   }
 
@@ -174,6 +181,7 @@ private:
   CoarseningOptions options_;
   Bidding<Machine> bidding_;
   junction::JacobiSweep<Machine> jacobi_;
+  newton::ParallelNewton<Machine> newton_;
   typename Machine::template Array<std::uint8_t> flags_;
 };
 

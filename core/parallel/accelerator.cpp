@@ -52,8 +52,10 @@ const Accelerator* accelerator_for(Device device, const std::string& obstacle) {
 }
 
 std::string accelerator_obstacle(const EquilibratorOptions& options) {
-  if (options.kind != EquilibratorKind::Junction) {
-    return "Equilibrator = Newton is computed on the CPU alone";
+  if (options.kind == EquilibratorKind::Newton) {
+    return options.device == Device::CUDA
+               ? ""
+               : "Equilibrator = Newton may swap other films there, so that it has to be asked for";
   }
   if (options.junction.sweep != Sweep::Jacobi) {
     return "Sweep = GaussSeidel, one junction after the other, is computed on the CPU alone";
@@ -62,6 +64,9 @@ std::string accelerator_obstacle(const EquilibratorOptions& options) {
 }
 
 std::string accelerator_obstacle(const CoarseningOptions& options) {
+  if (options.equilibrator.kind == EquilibratorKind::Newton) {
+    return "Equilibrator = Newton steps from one topological event to the next on the CPU alone";
+  }
   std::string obstacle = accelerator_obstacle(options.equilibrator);
   if (obstacle.empty() && options.topological_algorithm != TopologicalAlgorithm::Bidding) {
     return "of the TopologicalAlgorithms only Bidding is computed there";

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_reduce.cuh>
 #include <thrust/iterator/counting_iterator.h>
 
 #include <cstddef>
+#include <cstdint>
 
 #include "mesh/elements.h"
 #include "parallel/device_array.h"
@@ -54,11 +56,25 @@ public:
     return value;
   }
 
+  /// Puts keys into ascending order.
+  void sort(std::uint64_t* keys, Index size) {
+    sorted_.resize(static_cast<std::size_t>(size));
+    std::size_t bytes = 0;
+    check(cub::DeviceRadixSort::SortKeys(nullptr, bytes, keys, sorted_.data(), size), "a sort");
+    scratch_.resize(bytes);
+    check(cub::DeviceRadixSort::SortKeys(scratch_.data(), bytes, keys, sorted_.data(), size),
+          "a sort");
+    check(cudaMemcpy(keys, sorted_.data(), sorted_.size() * sizeof(std::uint64_t),
+                     cudaMemcpyDeviceToDevice),
+          "cudaMemcpy");
+  }
+
 private:
   static constexpr Index kThreads = 128; // to a block
 
   DeviceArray<std::byte> scratch_;
   DeviceArray<std::byte> result_;
+  DeviceArray<std::uint64_t> sorted_;
 };
 
 } // namespace foam::cuda

@@ -47,9 +47,13 @@ TEST(Accelerator, AutoSaysOnceThatItIsNotThere) {
   EXPECT_EQ(error_of(Device::CUDA, ""), "Device = CUDA, but it is not plugged in");
 }
 
-TEST(Accelerator, ComputesTheThesissFrameWithBiddingAlone) {
+TEST(Accelerator, ComputesWhatIsTheSameThere) {
   CoarseningOptions options;
-  EXPECT_FALSE(accelerator_obstacle(options.equilibrator).empty()) << "Newton";
+  EXPECT_FALSE(accelerator_obstacle(options.equilibrator).empty()) << "Newton, by itself";
+  EXPECT_FALSE(accelerator_obstacle(options).empty()) << "Newton, from event to event";
+  options.equilibrator.device = Device::CUDA;
+  EXPECT_TRUE(accelerator_obstacle(options.equilibrator).empty()) << "Newton, asked for";
+  EXPECT_FALSE(accelerator_obstacle(options).empty()) << "Newton, from event to event";
   options.equilibrator.kind = EquilibratorKind::Junction;
   EXPECT_TRUE(accelerator_obstacle(options.equilibrator).empty());
   EXPECT_FALSE(accelerator_obstacle(options).empty()) << "the final algorithm";

@@ -218,13 +218,17 @@ TEST(Krylov, CoarsenedElementsAreThoseOfTheNestedSpace) {
   const Grid fine{8, 4, true, {}, {0.5, 1}};
   std::vector<Element> elements(Foam::size(fine.cells()));
   for (Index cell = 0; cell < fine.cells(); ++cell) {
-    elements[Foam::size(cell)].add_square({cell, {0.3, 0.6}}, fine.cell, {1, 0.2}, {-0.4, 0.7},
-                                          1.0 + cell);
+    for (int corner = 0; corner < 4; ++corner) {
+      ElementRows rows;
+      rows.add_square({cell, {0.3, 0.6}}, fine.cell, corner, {1, 0.2}, {-0.4, 0.7}, 1.0 + cell);
+      rows.write(elements[Foam::size(cell)], corner);
+    }
   }
   const Grid coarse = fine.coarsened();
   std::vector<Element> coarsened(Foam::size(coarse.cells()));
   Host host;
-  host.for_each(coarse.cells(), CoarsenElement{fine, coarse, elements.data(), coarsened.data()});
+  host.for_each(CoarsenElement::size(coarse),
+                CoarsenElement{fine, coarse, elements.data(), coarsened.data()});
   const auto n = static_cast<std::size_t>(2 * fine.nodes());
   const auto m = static_cast<std::size_t>(2 * coarse.nodes());
   for (std::size_t i = 0; i < m; ++i) {
@@ -310,6 +314,18 @@ TEST(Krylov, FollowsTheGas) {
     test::expect_valid(here);
     expect_same_equilibrium(here, there);
   }
+}
+
+/// Its outer films are semicircles, for which ∂²φ/∂α² is 0; its length is known in closed form.
+TEST(Krylov, FindsTheTripleBubble) {
+  BuildOptions options;
+  options.surface_tension = 0.5;
+  options.target_areas = TargetAreas::Array;
+  options.target_area_array = {1, 1, 1};
+  Foam foam = build_from_points(std::vector<Vec2>{{0, 0}, {1, 0}, {0.5, 0.8}}, options);
+  KrylovEquilibrator(to(1e-10)).equilibrate(foam, 0, {});
+  test::expect_equilibrium(foam);
+  EXPECT_NEAR(foam.energy(), 8.793934128446, 1e-9);
 }
 
 /// Films that are short and pulled shut are swapped on the way.

@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "build/honeycomb.h"
+#include "equilibrium/krylov_equilibrator.h"
 #include "evolution/coarsening.h"
 #include "evolution/collapse_bids.h"
+#include "evolution/cuda_frame_coarsening.h"
+#include "evolution/parallel_frame.h"
 #include "junction/jacobi_sweep.h"
 #include "mesh/device_foam.h"
 #include "mesh/film_set.h"
@@ -107,6 +110,20 @@ void arrays() {
   expect_same_topology(back, foam);
   EXPECT_TRUE(back.position == foam.position);
   EXPECT_TRUE(back.target_area == foam.target_area);
+}
+
+void sorting() {
+  Gpu gpu;
+  std::vector<std::uint64_t> keys(100001);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    keys[i] = (i * 2654435761U) % 1000003U << 32 | i;
+  }
+  DeviceArray<std::uint64_t> there(keys);
+  gpu.sort(there.data(), static_cast<Index>(keys.size()));
+  std::vector<std::uint64_t> fetched;
+  there.download(fetched);
+  std::sort(keys.begin(), keys.end());
+  EXPECT_TRUE(fetched == keys);
 }
 
 void update_order() {
@@ -313,22 +330,158 @@ void equilibrator() {
   EXPECT_NEAR(largest_difference(there.position, here.position), 0, 1e-8);
 }
 
+/// A preconditioner and a matrix of a foam's, on either machine.
+template <class Machine> class NewtonSystem {
+public:
+  NewtonSystem(Machine& machine, const FoamView& mesh, double spacing)
+      : machine_(machine), mesh_(mesh), stiffness_(FoamView::size(mesh.films)),
+        gradient_(FoamView::size(mesh.films)), preconditioner_(machine) {
+    const newton::Units units{spacing, 2 * mesh.surface_tension};
+    machine.for_each(mesh.films,
+                     newton::Linearise{mesh, units, 0.5, stiffness_.data(), gradient_.data()});
+    preconditioner_.set_up({mesh, stiffness_.data()}, units);
+  }
+
+  void multiply(const double* x, double* y) {
+    machine_.for_each(mesh_.junctions + mesh_.bubbles,
+                      newton::Multiply{{mesh_, stiffness_.data()}, x, y});
+  }
+  void precondition(const double* x, double* y) { preconditioner_.apply(x, y); }
+
+private:
+  Machine& machine_;
+  FoamView mesh_;
+  typename Machine::template Array<newton::FilmStiffness> stiffness_;
+  typename Machine::template Array<newton::FilmGradient> gradient_;
+  newton::FoamPreconditioner<Machine> preconditioner_;
+};
+
+void newton_system() {
+  Foam foam = disordered();
+  DeviceFoam device;
+  device.upload(foam);
+  Gpu gpu;
+  Host host;
+  NewtonSystem<Gpu> on_gpu(gpu, device.view(), foam.mean_spacing());
+  NewtonSystem<Host> on_host(host, view_of(foam), foam.mean_spacing());
+  const Index size = newton::size_of(view_of(foam));
+  std::vector<double> x(Foam::size(size));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = std::sin(static_cast<double>(i));
+  }
+  std::vector<double> here(x.size());
+  std::vector<double> fetched;
+  DeviceArray<double> x_there(x);
+  DeviceArray<double> there(x.size());
+  on_gpu.multiply(x_there.data(), there.data());
+  on_host.multiply(x.data(), here.data());
+  there.download(fetched);
+  EXPECT_NEAR(largest_difference(fetched, here), 0, 1e-10);
+  on_gpu.precondition(x_there.data(), there.data());
+  on_host.precondition(x.data(), here.data());
+  there.download(fetched);
+  EXPECT_NEAR(largest_difference(fetched, here), 0, 1e-8);
+}
+
+EquilibratorOptions newton_on(Device device) {
+  EquilibratorOptions options;
+  options.device = device;
+  options.tolerance = 1e-11;
+  return options;
+}
+
+/// To the same equilibrium; with no T1s, so that there is but one.
+void newton_equilibrator() {
+  Foam there = disordered(20);
+  Foam here = there;
+  make_equilibrator(newton_on(Device::CUDA))->equilibrate(there, 0, {});
+  KrylovEquilibrator(newton_on(Device::CPU)).equilibrate(here, 0, {});
+  EXPECT_TRUE(there.report.converged);
+  EXPECT_TRUE(here.report.converged);
+  EXPECT_EQ(there.report.iterations, here.report.iterations);
+  expect_same_topology(there, here);
+  for (Index f = 0; f < here.film_capacity(); ++f) {
+    EXPECT_NEAR(there.length(2 * f), here.length(2 * f), 1e-8);
+  }
+}
+
+void newton_repetition() {
+  const auto run = [] {
+    Foam foam = disordered(20);
+    make_equilibrator(newton_on(Device::CUDA))->equilibrate(foam, 0.3, {});
+    return foam;
+  };
+  const Foam once = run();
+  const Foam again = run();
+  EXPECT_TRUE(once.position == again.position);
+  EXPECT_TRUE(once.pressure == again.pressure);
+  EXPECT_TRUE(once.film_angle == again.film_angle);
+  expect_same_topology(once, again);
+}
+
+void newton_abort() {
+  const Foam start = disordered(20);
+  Foam foam = start;
+  bool aborted = false;
+  try {
+    make_equilibrator(newton_on(Device::CUDA))->equilibrate(foam, 0.3, [] { return true; });
+  } catch (const Aborted&) {
+    aborted = true;
+  }
+  EXPECT_TRUE(aborted);
+  EXPECT_TRUE(foam.position == start.position);
+  expect_same_topology(foam, start);
+}
+
+/// Frames with Newton's equilibria, with T1s and T2s.
+void newton_frames() {
+  CoarseningOptions options;
+  options.equilibrator.tolerance = 1e-10;
+  options.thresholds.t1_length = 0.3;
+  options.thresholds.t2_area = 0.6;
+  const auto coarsening = cuda::make_frame_coarsening(options);
+  coarsening->restart(disordered(16));
+  Foam here = disordered(16);
+  Host host;
+  ParallelFrame<Host> frame(host, options);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(coarsening->advance({}));
+    const FrameResult result = frame.advance(view_of(here), {});
+    EXPECT_TRUE(result.report.converged);
+    count(here, result.operations);
+  }
+  const Foam& there = coarsening->foam();
+  EXPECT_TRUE(there.report.converged);
+  EXPECT_GT(here.t1_count + here.t2_count, 0);
+  EXPECT_EQ(there.t1_count, here.t1_count);
+  EXPECT_EQ(there.t2_count, here.t2_count);
+  expect_same_topology(there, here);
+  EXPECT_NEAR(there.energy() / here.energy(), 1, 1e-9);
+}
+
 } // namespace
 } // namespace foam
 
 int main(int argc, char** argv) {
   using namespace foam;
-  const std::map<std::string, std::function<void()>> tests = {{"reductions", reductions},
-                                                              {"arrays", arrays},
-                                                              {"update_order", update_order},
-                                                              {"sweep", sweep},
-                                                              {"bidding", bidding},
-                                                              {"sliding", sliding},
-                                                              {"frames", frames},
-                                                              {"repetition", repetition},
-                                                              {"end", end},
-                                                              {"abort", foam::abort},
-                                                              {"equilibrator", equilibrator}};
+  const std::map<std::string, std::function<void()>> tests = {
+      {"reductions", reductions},
+      {"arrays", arrays},
+      {"update_order", update_order},
+      {"sweep", sweep},
+      {"bidding", bidding},
+      {"sliding", sliding},
+      {"frames", frames},
+      {"repetition", repetition},
+      {"end", end},
+      {"abort", foam::abort},
+      {"equilibrator", equilibrator},
+      {"sorting", sorting},
+      {"newton_system", newton_system},
+      {"newton_equilibrator", newton_equilibrator},
+      {"newton_repetition", newton_repetition},
+      {"newton_abort", newton_abort},
+      {"newton_frames", newton_frames}};
   int devices = 0;
   if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
     std::cout << "SKIPPED: there is no CUDA device\n";

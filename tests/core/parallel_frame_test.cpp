@@ -160,7 +160,7 @@ TEST(ParallelFrame, DoesWhatTheSerialOneDoesWithNewton) {
     options.time_step = 1.0 / 120;
     options.thresholds.t1_length = 0.1; // few T1s: which come first on the way is not the same
     options.thresholds.t2_area = 0.5;
-    options.equilibrator.tolerance = 1e-11;
+    options.equilibrator.tolerance = 1e-10;
     Foam foam = sample(boundary, 80, 3);
     make_equilibrator(options.equilibrator)->equilibrate(foam, 0, {});
     FrameCoarsening serial(options);

@@ -143,7 +143,8 @@ def plot_sides(results, path):
     axes[0, 0].set_ylabel("p(n)")
     axes[1, 0].set_ylabel("n·m(n)")
     handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[name]) for name in results]
-    axes[1, -1].legend(handles, [NAMES[name] for name in results], loc="lower right", fontsize=7, handlelength=1)
+    axes[1, 0].legend(handles, [NAMES[name] for name in results], loc="lower left", fontsize=6.5, handlelength=1,
+                      borderpad=0.1, borderaxespad=0.2)
     save(figure, path)
 
 

@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Permeability κ of the films, the gas that passes per length (cm), pressure (N/cm) and time (s),
-   * ≥ 0. Von Neumann's law: an n-sided bubble grows at (2π/3)γκ(n − 6) cm²/s. Default 1.
+   * Permeability κ of the films, the gas that passes per length (cm), pressure (N/cm²) and time
+   * (s), ≥ 0. Von Neumann's law: an n-sided bubble grows at (2π/3)γκ(n − 6) cm²/s. Default 1.
    */
   vtkSetMacro(Permeability, double);
   vtkGetMacro(Permeability, double);

@@ -148,7 +148,7 @@ public:
 
   ///@{
   /**
-   * Junction: change of pressure below which a bubble is at rest, N/cm. Default 0.001.
+   * Junction: change of pressure below which a bubble is at rest, N/cm². Default 0.001.
    */
   vtkSetMacro(PressureTolerance, double);
   vtkGetMacro(PressureTolerance, double);

@@ -10,12 +10,13 @@
  *
  * Output port 0, films: a polyline per film, sampled along its arc. Cell data LeftBubble,
  * RightBubble (−1 = the world), Curvature (1/cm, > 0 where the film bulges to the right),
- * PressureDifference (left minus right, N/cm), Length (cm), HalfAngle (rad), OnBoundary; point data
- * JunctionId (−1 inside an arc); field data BubbleId, BubblePressure (N/cm), BubbleTargetArea (cm²)
- * and the foam's single values. They are the foam's whole state: a .vtp of them is a checkpoint.
+ * PressureDifference (left minus right, N/cm²), Length (cm), HalfAngle (rad), OnBoundary; point
+ * data JunctionId (−1 inside an arc); field data BubbleId, BubblePressure (N/cm), BubbleTargetArea
+ * (cm²) and the foam's single values. They are the foam's whole state: a .vtp of them is a
+ * checkpoint.
  *
  * Output port 1, bubbles: a polygon per bubble. Cell data BubbleId, Area, TargetArea (cm²),
- * Pressure (N/cm), Sides, Perimeter (cm), OnBoundary.
+ * Pressure (N/cm²), Sides, Perimeter (cm), OnBoundary.
  *
  * Bad input gives one error that names the cause, and empty outputs.
  *

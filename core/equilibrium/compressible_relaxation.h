@@ -11,7 +11,7 @@ namespace foam {
 /// is as good as a global one.
 ///
 /// A bubble's gas has the pressure p + K(A^τ/A − 1) where it is compressed and p + K(1 − A/A^τ)
-/// where it is stretched, with p (N/cm) what foam.pressure has, and the bulk modulus K a multiple
+/// where it is stretched, with p (N/cm²) what foam.pressure has, and the bulk modulus K a multiple
 /// of T/√A^τ. Junction by junction and film by film (nonlinear Gauss–Seidel), each takes one step
 /// of Newton's method with a positive definite matrix of its own. Every few sweeps p takes over the
 /// stretched gas's pressure (augmented Lagrangian: J. Nocedal, S. J. Wright, Numerical

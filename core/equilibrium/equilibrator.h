@@ -48,7 +48,7 @@ struct JunctionOptions {
   double damping = 0.1;                            ///< τ
   double finite_difference_step = 0.01;            ///< h
   double jacobian_tolerance = 1;                   ///< δ_error
-  double pressure_tolerance = 0.001;               ///< δ_Δp, N/cm
+  double pressure_tolerance = 0.001;               ///< δ_Δp, N/cm²
   double position_tolerance = 0.001;               ///< δ_Δx, cm
   double minimum_scale = 1e-5;                     ///< δ_scale
 };

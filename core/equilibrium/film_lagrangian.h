@@ -34,7 +34,7 @@ struct FilmForces {
 };
 
 /// \param chord from a to b, cm; \param unit the same, of length 1; \param d its length, cm; \param
-/// q p_left − p_right, N/cm; \param tension T = 2γ, N/cm.
+/// q p_left − p_right, N/cm²; \param tension T = 2γ, N/cm.
 FOAM_HOST_DEVICE inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d,
                                                const ArcShape& shape, double q, double tension) {
   FilmForces forces;
@@ -48,7 +48,7 @@ FOAM_HOST_DEVICE inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d,
   return forces;
 }
 
-/// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm;
+/// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm²;
 /// \param tension T = 2γ, N/cm.
 FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q,
                                                        double tension) {

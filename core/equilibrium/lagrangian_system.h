@@ -18,7 +18,7 @@ namespace foam {
 struct Step {
   std::vector<Vec2> junctions;   ///< cm
   std::vector<double> angles;    ///< rad
-  std::vector<double> pressures; ///< N/cm
+  std::vector<double> pressures; ///< N/cm²
 };
 
 /// Largest dimensionless residuals of the equilibrium's equations in a region.

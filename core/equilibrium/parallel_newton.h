@@ -37,7 +37,7 @@ struct LargestResiduals {
 struct StepView {
   Vec2* junction = nullptr;   ///< cm
   double* angle = nullptr;    ///< rad, by film
-  double* pressure = nullptr; ///< N/cm, by bubble
+  double* pressure = nullptr; ///< N/cm², by bubble
 
   FOAM_HOST_DEVICE Vec2 chord_change(const FoamView& mesh, Index film) const {
     return junction[mesh.end(2 * film)] - junction[mesh.start(2 * film)];

@@ -59,7 +59,7 @@ private:
 
   Course<Vec2> junctions_;         ///< cm
   Course<double> angles_;          ///< rad
-  Course<double> pressures_;       ///< N/cm
+  Course<double> pressures_;       ///< N/cm²
   std::vector<double> area_rates_; ///< of the targets, cm²/s
   double begin_ = 0;               ///< s
 };

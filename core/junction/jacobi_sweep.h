@@ -17,7 +17,7 @@ namespace foam::junction {
 
 /// The largest changes of a sweep, for the halting rule (thesis 4.2.1).
 struct Maxima {
-  double pressure = 0;  ///< |Δp|, N/cm
+  double pressure = 0;  ///< |Δp|, N/cm²
   double position = 0;  ///< |Δx|, cm
   bool solvable = true; ///< no junction's system was singular
 

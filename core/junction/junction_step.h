@@ -84,7 +84,7 @@ private:
 
 /// What a junction does with its step.
 struct JunctionChange {
-  std::array<double, 3> pressure{}; ///< for its bubbles, before division by their films, N/cm
+  std::array<double, 3> pressure{}; ///< for its bubbles, before division by their films, N/cm²
   Vec2 position;                    ///< by which it was moved, cm
   bool solvable = true;             ///< its system was not singular
 };

@@ -31,7 +31,7 @@ struct JunctionStar {
   std::array<Index, 3> half{};         ///< outgoing
   std::array<Index, 3> bubble{};       ///< kWorld among them on a free boundary
   std::array<Vec2, 3> chord{};         ///< e_k = x_k − x, cm
-  std::array<double, 3> pressure{};    ///< of the bubbles, N/cm
+  std::array<double, 3> pressure{};    ///< of the bubbles, N/cm²
   std::array<double, 3> target_area{}; ///< A^τ of the bubbles, cm²; the world has none
   double surface_tension = 0;          ///< γ, N/cm
 };
@@ -42,7 +42,7 @@ template <class Search> struct JunctionSample {
   std::array<double, Search::kConditions> value{}; ///< of the films
 };
 
-/// A junction's unknowns p_i, p_j, p_k, x, y, N/cm and cm.
+/// A junction's unknowns p_i, p_j, p_k, x, y, N/cm² and cm.
 inline constexpr std::size_t kUnknowns = 5;
 
 /// ∇f_j by rows: A_i, A_j, A_k and the root search's conditions.
@@ -60,7 +60,7 @@ template <class Search> struct JunctionSystem {
 
 /// The solution of a junction's system.
 struct JunctionStep {
-  std::array<double, 3> pressure{}; ///< Δp of the bubbles, N/cm
+  std::array<double, 3> pressure{}; ///< Δp of the bubbles, N/cm²
   Vec2 position;                    ///< Δx, cm
 
   FOAM_HOST_DEVICE bool finite() const {

@@ -21,7 +21,7 @@ struct FilmSet {
   };
   struct Bubble {
     std::int64_t id = 0;
-    double pressure = 0;    ///< N/cm
+    double pressure = 0;    ///< N/cm²
     double target_area = 0; ///< cm²
   };
 

@@ -40,7 +40,7 @@ struct Foam : MeshAccess<Foam> {
   // Bubbles.
   std::vector<Index> bubble_half;      ///< one half-film with the bubble on its left; kNone if gone
   std::vector<Index> sides;            ///< number of films
-  std::vector<double> pressure;        ///< N/cm
+  std::vector<double> pressure;        ///< N/cm²
   std::vector<double> target_area;     ///< A^τ, cm²
   std::vector<std::int64_t> bubble_id; ///< persistent name of a bubble
 

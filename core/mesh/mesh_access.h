@@ -83,7 +83,7 @@ template <class Mesh> struct MeshAccess {
   FOAM_HOST_DEVICE double length(Index h) const {
     return arc_length(norm(chord(h)), half_angle(h));
   }
-  /// Pressure of a bubble or of the world, N/cm.
+  /// Pressure of a bubble or of the world, N/cm².
   FOAM_HOST_DEVICE double pressure_of(Index b) const {
     return b == kWorld ? 0.0 : mesh().pressure[size(b)];
   }

@@ -13,7 +13,7 @@ struct BubbleStatistics {
   std::int64_t id = 0;
   double area = 0;        ///< cm²
   double target_area = 0; ///< cm²
-  double pressure = 0;    ///< N/cm
+  double pressure = 0;    ///< N/cm²
   Index sides = 0;
   double perimeter = 0; ///< cm
   bool on_boundary = false;

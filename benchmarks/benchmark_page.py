@@ -132,5 +132,6 @@ lengths (cm):
 {table(["work", "bubbles", "cores", "frames", "processor time", "wall time", "residual", "T1s", "T2s", "memory, MiB"],
        details)}
 
-Processor and wall time of `frames`, `steps` and `thesis` are those of one frame; memory is the process's peak.
+Processor and wall time of `frames`, `steps` and `thesis` are those of one frame; memory is the process's peak,
+or that of the script that starts it where that is more (59 MiB).
 """)

@@ -15,6 +15,7 @@ import os
 import platform
 import re
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -45,7 +46,7 @@ class Measurement:
 
     def foam(self, *arguments, cores=1):
         os.sched_setaffinity(0, CORES if cores > 1 else {min(CORES)})
-        text = subprocess.run([self.program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+        text = run_to_end([self.program, *map(str, arguments)])
         for line in text.splitlines():
             self.keep("foam", json.loads(line) | {"cores": cores})
 
@@ -59,8 +60,7 @@ class Measurement:
             commands += "quit\n"
         script = self.output / "evolver.cmd"
         script.write_text(commands)
-        text = subprocess.run(["evolver", f"-f{script}", start], check=True, capture_output=True, text=True,
-                              stdin=subprocess.DEVNULL).stdout
+        text = run_to_end(["evolver", f"-f{script}", start])
         energy = re.findall(r"E ([\d.]+)", text)[-1]
         seconds = re.search(r"per step ([\d.]+)" if work == "steps" else r"FINAL .* cpu ([\d.]+)", text)[1]
         self.keep("evolver", {"work": work, "bubbles": bubbles, "cpu": float(seconds), "length": float(energy)})
@@ -69,6 +69,18 @@ class Measurement:
         print(program, json.dumps(figures), flush=True)
         self.figures[program].append(figures)
         (self.output / "figures.json").write_text(json.dumps(self.figures, indent=1))
+
+
+def run_to_end(command):
+    """A program's output. It does not outlive this one, though Surface Evolver ignores a polite request to end."""
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True) as program:
+        try:
+            text, _ = program.communicate()
+        finally:
+            program.kill()
+    if program.returncode:
+        raise subprocess.CalledProcessError(program.returncode, command)
+    return text
 
 
 def machine():
@@ -107,6 +119,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("compare.py: stopped"))
     try:
         main()
     except (OSError, subprocess.CalledProcessError) as error:

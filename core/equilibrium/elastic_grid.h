@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "equilibrium/displacements.h"
 #include "geometry/vec2.h"
 #include "mesh/elements.h"
 
@@ -132,7 +133,7 @@ struct ElementRows {
     const Vec2 own = weight * share_of_corner(place, size, corner, row_x, row_y);
     for (int other = 0; other < 4; ++other) {
       const Vec2 value = share_of_corner(place, size, other, row_x, row_y);
-      const auto o = static_cast<std::size_t>(2 * other);
+      const auto o = 2 * static_cast<std::size_t>(other);
       k[0][o] += own.x * value.x;
       k[0][o + 1] += own.x * value.y;
       k[1][o] += own.y * value.x;
@@ -141,7 +142,7 @@ struct ElementRows {
   }
 
   FOAM_HOST_DEVICE void write(Element& element, int corner) const {
-    const auto c = static_cast<std::size_t>(2 * corner);
+    const auto c = 2 * static_cast<std::size_t>(corner);
     element.k[c] = k[0];
     element.k[c + 1] = k[1];
   }
@@ -159,13 +160,13 @@ struct GridMatrix {
       if (cell == kNone) {
         continue;
       }
-      const auto c = static_cast<std::size_t>(2 * corner);
+      const auto c = 2 * static_cast<std::size_t>(corner);
       const auto& k = element[cell].k;
       for (int other = 0; other < 4; ++other) {
         const Index n = grid.node(cell, other);
-        const auto o = static_cast<std::size_t>(2 * other);
-        sum += Vec2{k[c][o] * x[2 * n] + k[c][o + 1] * x[2 * n + 1],
-                    k[c + 1][o] * x[2 * n] + k[c + 1][o + 1] * x[2 * n + 1]};
+        const auto o = 2 * static_cast<std::size_t>(other);
+        const Vec2 v = displacement(x, n);
+        sum += Vec2{k[c][o] * v.x + k[c][o + 1] * v.y, k[c + 1][o] * v.x + k[c + 1][o + 1] * v.y};
       }
     }
     return sum;
@@ -176,7 +177,7 @@ struct GridMatrix {
     for (int corner = 0; corner < 4; ++corner) {
       const Index cell = grid.cell_at(node, corner);
       if (cell != kNone) {
-        const auto c = static_cast<std::size_t>(2 * corner);
+        const auto c = 2 * static_cast<std::size_t>(corner);
         const auto& k = element[cell].k;
         sum.xx += k[c][c];
         sum.xy += k[c][c + 1];
@@ -214,8 +215,8 @@ struct CoarsenElement {
         for (int b = 0; b < 4; ++b) {
           const double weight = corner_in_parent(cell, child, a).weight(row) *
                                 corner_in_parent(cell, child, b).weight(column);
-          const auto r = static_cast<std::size_t>(2 * a);
-          const auto c = static_cast<std::size_t>(2 * b);
+          const auto r = 2 * static_cast<std::size_t>(a);
+          const auto c = 2 * static_cast<std::size_t>(b);
           xx += weight * k[r][c];
           xy += weight * k[r][c + 1];
           yx += weight * k[r + 1][c];
@@ -223,8 +224,8 @@ struct CoarsenElement {
         }
       }
     }
-    const auto r = static_cast<std::size_t>(2 * row);
-    const auto c = static_cast<std::size_t>(2 * column);
+    const auto r = 2 * static_cast<std::size_t>(row);
+    const auto c = 2 * static_cast<std::size_t>(column);
     to[cell].k[r][c] = xx;
     to[cell].k[r][c + 1] = xy;
     to[cell].k[r + 1][c] = yx;
@@ -247,7 +248,7 @@ FOAM_HOST_DEVICE inline Vec2 interpolate(const Grid& grid, const double* x,
   Vec2 sum;
   for (int corner = 0; corner < 4; ++corner) {
     const Index n = grid.node(place.cell, corner);
-    sum += place.weight(corner) * Vec2{x[2 * n], x[2 * n + 1]};
+    sum += place.weight(corner) * displacement(x, n);
   }
   return sum;
 }
@@ -260,8 +261,7 @@ struct ProlongateGrid {
 
   FOAM_HOST_DEVICE void operator()(Index node) const {
     const Vec2 v = interpolate(coarse, from, place_of_node(fine, coarse, node));
-    x[2 * node] += v.x;
-    x[2 * node + 1] += v.y;
+    set_displacement(x, node, displacement(x, node) + v);
   }
 };
 
@@ -285,12 +285,11 @@ struct RestrictGrid {
         }
         if (x >= 0 && x < fine.nodes_across() && y >= 0 && y < fine.nodes_along()) {
           const Index n = x + fine.nodes_across() * y;
-          sum += (di == 0 ? 1 : 0.5) * (dj == 0 ? 1 : 0.5) * Vec2{from[2 * n], from[2 * n + 1]};
+          sum += (di == 0 ? 1 : 0.5) * (dj == 0 ? 1 : 0.5) * displacement(from, n);
         }
       }
     }
-    to[2 * node] = sum.x;
-    to[2 * node + 1] = sum.y;
+    set_displacement(to, node, sum);
   }
 };
 

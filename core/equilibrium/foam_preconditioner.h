@@ -448,12 +448,12 @@ private:
     using namespace detail;
     s.size = size;
     s.inverse.resize(static_cast<std::size_t>(size));
-    s.r.resize(static_cast<std::size_t>(2 * size));
-    s.d.resize(static_cast<std::size_t>(2 * size));
-    zero_.resize(std::max(zero_.size(), static_cast<std::size_t>(2 * size)));
+    s.r.resize(2 * static_cast<std::size_t>(size));
+    s.d.resize(2 * static_cast<std::size_t>(size));
+    zero_.resize(std::max(zero_.size(), 2 * static_cast<std::size_t>(size)));
     machine_.for_each(size, InvertDiagonal<Matrix>{matrix, s.inverse.data()});
     // Power iteration: x ← D⁻¹·M·x, with −M·x from residual().
-    trial_.resize(static_cast<std::size_t>(2 * size));
+    trial_.resize(2 * static_cast<std::size_t>(size));
     double* const x = trial_.data();
     double* const r = s.r.data();
     machine_.for_each(2 * size, parallel::Fill<double>{zero_.data(), 0});
@@ -556,8 +556,8 @@ private:
     Level& level = levels_[used_++];
     level.grid = grid;
     level.element.resize(static_cast<std::size_t>(grid.cells()));
-    level.b.resize(static_cast<std::size_t>(2 * grid.nodes()));
-    level.x.resize(static_cast<std::size_t>(2 * grid.nodes()));
+    level.b.resize(2 * static_cast<std::size_t>(grid.nodes()));
+    level.x.resize(2 * static_cast<std::size_t>(grid.nodes()));
     return level;
   }
 
@@ -567,7 +567,7 @@ private:
     const Grid finest = finest_grid(units);
     place_.resize(FoamView::size(mesh.junctions));
     key_.resize(FoamView::size(mesh.junctions));
-    first_.resize(static_cast<std::size_t>(finest.cells() + 1));
+    first_.resize(static_cast<std::size_t>(finest.cells()) + 1);
     machine_.for_each(mesh.junctions,
                       PlaceJunction{mesh, units, finest, place_.data(), key_.data()});
     machine_.sort(key_.data(), mesh.junctions);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/displacements.h"
 #include "equilibrium/film_lagrangian.h"
 #include "mesh/foam_view.h"
 
@@ -35,15 +36,6 @@ FOAM_HOST_DEVICE inline bool bends(const FoamView& mesh, Index film) {
 /// Length of a vector.
 inline Index size_of(const FoamView& mesh) {
   return 2 * mesh.junctions + mesh.bubbles;
-}
-
-FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Index junction) {
-  return {vector[2 * junction], vector[2 * junction + 1]};
-}
-
-FOAM_HOST_DEVICE inline void set_displacement(double* vector, Index junction, Vec2 value) {
-  vector[2 * junction] = value.x;
-  vector[2 * junction + 1] = value.y;
 }
 
 /// Of a bubble or the world.

@@ -6,10 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "equilibrium/film_step.h"
+
 namespace foam {
 namespace {
 
-constexpr double kLargestTurn = 0.5; // rad that an arc may turn in one step
 constexpr double kLargestMove = 0.3; // of a junction's shortest film, in a limited step
 
 } // namespace
@@ -56,23 +57,9 @@ double longest_step(const Foam& foam, const LagrangianSystem& system, const Step
   const Region& region = system.region();
   for (std::size_t i = 0; i < region.films.size(); ++i) {
     const Index f = region.films[i];
-    const Vec2 chord = foam.chord(2 * f);
-    const double d = norm(chord);
-    const Vec2 change = system.chord_change(foam, f, step);
-    const double growth = dot(chord, change) / d;
-    const double across = std::abs(cross(chord, change)) / d;
-    const double excess = std::max(-growth, across - 0.5 * std::max(growth, 0.0));
-    if (fraction * excess > 0.5 * d) {
-      fraction = 0.5 * d / excess;
-    }
-    const double turn = std::abs(step.angles[i]);
-    if (fraction * turn > kLargestTurn) {
-      fraction = kLargestTurn / turn;
-    }
-    const double room = std::numbers::pi - std::abs(foam.film_angle[Foam::size(f)]);
-    if (fraction * turn > 0.5 * room && step.angles[i] * foam.film_angle[Foam::size(f)] > 0) {
-      fraction = 0.5 * room / turn;
-    }
+    fraction =
+        std::min(fraction, longest_film_step(foam.chord(2 * f), system.chord_change(foam, f, step),
+                                             foam.half_angle(2 * f), step.angles[i]));
   }
   return fraction;
 }
@@ -91,10 +78,8 @@ Step limited_step(const Foam& foam, const LagrangianSystem& system, const Step& 
     }
   }
   for (std::size_t i = 0; i < region.films.size(); ++i) {
-    const double alpha = foam.film_angle[Foam::size(region.films[i])];
-    const double room = std::numbers::pi - std::abs(alpha);
     const double largest =
-        step.angles[i] * alpha > 0 ? std::min(kLargestTurn, 0.5 * room) : kLargestTurn;
+        largest_turn(foam.film_angle[Foam::size(region.films[i])], step.angles[i]);
     limited.angles[i] = std::clamp(step.angles[i], -largest, largest);
   }
   return limited;
@@ -134,11 +119,8 @@ double Merit::penalty(const Foam& foam, const LagrangianSystem& system, const St
   double slope = 0; // of the films' energy along the step
   for (std::size_t i = 0; i < region_.films.size(); ++i) {
     const Index f = region_.films[i];
-    const Vec2 chord = foam.chord(2 * f);
-    const double d = norm(chord);
-    const ArcShape shape = arc_shape(foam.half_angle(2 * f));
-    slope += shape.f * dot(chord, system.chord_change(foam, f, step)) / d +
-             d * shape.f1 * step.angles[i];
+    slope += arc_growth(foam.chord(2 * f), system.chord_change(foam, f, step),
+                        foam.half_angle(2 * f), step.angles[i]);
   }
   slope *= 2 * foam.surface_tension;
   const double floor = 1e-3 * foam.surface_tension / foam.mean_spacing();

@@ -43,7 +43,7 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
                                 : NewtonMatrix::angle_is_delicate(foam, f));
   }
   renumber(foam);
-  if (!adapt || !assemble(foam, 0) || !factorisation_.adapt(foam, region_, matrix_)) {
+  if (!adapt || !assemble(foam, 0)) {
     return;
   }
   factorised_ = true;

@@ -34,7 +34,7 @@ struct Residual {
 class LagrangianSystem {
 public:
   /// Sets up the unknowns for a region of a foam. If it is the whole foam, as before, the
-  /// factorisation at hand is kept where it can still serve.
+  /// factorisation at hand is kept, to be adapted before it serves.
   void set_up(const Foam& foam, Region region);
   /// Whether set_up() has been called for a region of this very topology.
   bool fits(const Foam& foam) const { return ready_ && topology_ == foam.topology; }

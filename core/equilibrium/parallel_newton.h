@@ -17,6 +17,7 @@
 #include <numbers>
 
 #include "equilibrium/equilibrator.h"
+#include "equilibrium/film_step.h"
 #include "equilibrium/foam_preconditioner.h"
 #include "equilibrium/minimal_residual.h"
 #include "equilibrium/parallel_measures.h"
@@ -46,7 +47,6 @@ struct StepView {
 
 namespace detail {
 
-inline constexpr double kLargestTurn = 0.5; // rad that an arc may turn in one step
 inline constexpr double kLargestMove = 0.3; // of a junction's shortest film, in a limited step
 
 struct ForceAt {
@@ -197,35 +197,16 @@ struct TakeAngleStep {
   }
 };
 
-/// The largest fraction ≤ 1 of a step with which the film shrinks or turns by no more than half of
-/// its length and its arc by no more than half a radian (longest_step).
+/// The fraction of a step that the film can take.
 struct LongestStep {
   FoamView mesh;
   StepView step;
 
   FOAM_HOST_DEVICE double operator()(Index film) const {
-    if (!bends(mesh, film)) {
-      return 1;
-    }
-    const Vec2 chord = mesh.chord(2 * film);
-    const Vec2 change = step.chord_change(mesh, film);
-    const double d = norm(chord);
-    const double growth = dot(chord, change) / d;
-    const double across = std::abs(cross(chord, change)) / d;
-    const double excess = std::max(-growth, across - 0.5 * std::max(growth, 0.0));
-    const double turn = std::abs(step.angle[film]);
-    double fraction = 1;
-    if (excess > 0.5 * d) {
-      fraction = 0.5 * d / excess;
-    }
-    if (fraction * turn > kLargestTurn) {
-      fraction = kLargestTurn / turn;
-    }
-    const double room = std::numbers::pi - std::abs(mesh.film_angle[film]);
-    if (fraction * turn > 0.5 * room && step.angle[film] * mesh.film_angle[film] > 0) {
-      fraction = 0.5 * room / turn;
-    }
-    return fraction;
+    return bends(mesh, film)
+               ? longest_film_step(mesh.chord(2 * film), step.chord_change(mesh, film),
+                                   mesh.half_angle(2 * film), step.angle[film])
+               : 1;
   }
 };
 
@@ -255,12 +236,7 @@ struct LimitAngle {
   StepView step;
 
   FOAM_HOST_DEVICE void operator()(Index film) const {
-    const double alpha = mesh.film_angle[film];
-    const double room = std::numbers::pi - std::abs(alpha);
-    double largest = kLargestTurn;
-    if (step.angle[film] * alpha > 0) {
-      largest = std::min(largest, 0.5 * room);
-    }
+    const double largest = largest_turn(mesh.film_angle[film], step.angle[film]);
     step.angle[film] = std::clamp(step.angle[film], -largest, largest);
   }
 };
@@ -310,14 +286,9 @@ struct GrowthOf {
   StepView step;
 
   FOAM_HOST_DEVICE double operator()(Index film) const {
-    if (!bends(mesh, film)) {
-      return 0;
-    }
-    const Vec2 chord = mesh.chord(2 * film);
-    const double d = norm(chord);
-    const ArcShape shape = arc_shape(mesh.half_angle(2 * film));
-    return shape.f * dot(chord, step.chord_change(mesh, film)) / d +
-           d * shape.f1 * step.angle[film];
+    return bends(mesh, film) ? arc_growth(mesh.chord(2 * film), step.chord_change(mesh, film),
+                                          mesh.half_angle(2 * film), step.angle[film])
+                             : 0;
   }
 };
 

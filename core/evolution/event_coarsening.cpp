@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "equilibrium/film_step.h"
 #include "mesh/validate.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
@@ -198,10 +199,10 @@ void EventCoarsening::expect_film(Index film) {
   const Vec2 change = motion_.chord_rate(foam_, film);
   const double d = norm(chord);
   Event event{std::numeric_limits<double>::infinity(), Event::Kind::Close, film};
-  const ArcShape shape = arc_shape(foam_.half_angle(2 * film));
-  const double growth = shape.f * dot(chord, change) / d + d * shape.f1 * motion_.angle_rate(film);
+  const double alpha = foam_.half_angle(2 * film);
+  const double growth = arc_growth(chord, change, alpha, motion_.angle_rate(film));
   if (growth < 0 && spares_sides(foam_, film)) {
-    const double excess = std::max(d * shape.f - limit_.t1_length, 0.0);
+    const double excess = std::max(arc_shape(alpha).f * d - limit_.t1_length, 0.0);
     event.time = now_ + std::max(excess / -growth, kFinestStep * options_.time_step);
   }
   if (norm(change) > 0) {

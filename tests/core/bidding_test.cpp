@@ -8,20 +8,14 @@
 #include <random>
 #include <set>
 
-#include "build/jittered_grid.h"
 #include "evolution/collapse_bids.h"
+#include "foams.h"
 #include "hand_made.h"
 #include "parallel/host.h"
 #include "topology/operations.h"
 
 namespace foam {
 namespace {
-
-Foam sample(Boundary boundary, Index bubbles, std::uint64_t seed) {
-  BuildOptions options;
-  options.boundary = boundary;
-  return build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
-}
 
 /// Swaps films of small bubbles until many of them have two sides.
 Foam with_two_sided_bubbles(Foam foam) {
@@ -114,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Bidding, Boundaries,
 
 TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    Foam foam = sample(GetParam(), 300, seed);
+    Foam foam = test::jittered_foam(GetParam(), 300, seed);
     std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
     Host host;
     Bidding<Host> bidding(host);
@@ -133,7 +127,7 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
 }
 
 TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
-  Foam foam = sample(GetParam(), 400, 5);
+  Foam foam = test::jittered_foam(GetParam(), 400, 5);
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
   const CollapseBids bids{coarse_rules(), swappable.data()};
   const FoamView mesh = view_of(foam);
@@ -163,7 +157,7 @@ TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
 }
 
 TEST_P(Boundaries, ResultDoesNotDependOnTheOrderOfVisiting) {
-  const Foam start = sample(GetParam(), 300, 2);
+  const Foam start = test::jittered_foam(GetParam(), 300, 2);
   const Collapsed one = collapsed(Host(1), start, coarse_rules());
   EXPECT_GT(one.performed.t1 + one.performed.t2, 100);
   for (const int threads : {2, 5}) {
@@ -182,7 +176,7 @@ TEST_P(Boundaries, ResultDoesNotDependOnTheOrderOfVisiting) {
 /// elsewhere, the rounds do what a greedy walk in the order of the bids does.
 TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Foam start = sample(GetParam(), 200, seed);
+    const Foam start = test::jittered_foam(GetParam(), 200, seed);
     const ThesisRules rules{.limit = {.t1_length = 0.4, .t2_area = 0.4},
                             .two_sided = TwoSidedBubbles::Remove};
     Foam greedy = start;
@@ -195,7 +189,7 @@ TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
 }
 
 TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
-  const Foam start = with_two_sided_bubbles(sample(GetParam(), 300, 3));
+  const Foam start = with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 3));
   const ThesisRules rules{.limit = {.t1_length = 0, .t2_area = 1e9},
                           .two_sided = TwoSidedBubbles::Remove};
   const Collapsed rounds = collapsed(Host(), start, rules);
@@ -206,7 +200,7 @@ TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
 }
 
 TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
-  Foam serial = with_two_sided_bubbles(sample(GetParam(), 300, 4));
+  Foam serial = with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 4));
   Foam parallel = serial;
   const ThesisRules rules{.limit = {.t1_length = 0.05, .t2_area = 0},
                           .two_sided = TwoSidedBubbles::Slide};

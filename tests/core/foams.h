@@ -36,6 +36,13 @@ inline void equilibrate(Foam& foam, double tolerance = 1e-9) {
   make_equilibrator(options)->equilibrate(foam, 0.05 * foam.mean_spacing(), {});
 }
 
+/// A mesh of the thesis's jittered grid, not in equilibrium.
+inline Foam jittered_foam(Boundary boundary, Index bubbles, std::uint64_t seed) {
+  BuildOptions options;
+  options.boundary = boundary;
+  return build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
+}
+
 /// A disordered foam in equilibrium, from the thesis's jittered grid.
 inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1) {
   BuildOptions options;

@@ -6,19 +6,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "build/jittered_grid.h"
 #include "evolution/frame_coarsening.h"
+#include "foams.h"
 #include "junction_foams.h"
 #include "parallel/host.h"
 
 namespace foam {
 namespace {
-
-Foam sample(Boundary boundary, Index bubbles, std::uint64_t seed) {
-  BuildOptions options;
-  options.boundary = boundary;
-  return build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
-}
 
 struct Setting {
   Boundary boundary;
@@ -45,7 +39,7 @@ class ParallelFrames : public testing::TestWithParam<Setting> {};
 /// The serial frame, written for one foam in one memory, is an independent account of the same.
 TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
   const CoarseningOptions options = options_of(GetParam());
-  Foam foam = sample(GetParam().boundary, 60, 3);
+  Foam foam = test::jittered_foam(GetParam().boundary, 60, 3);
   FrameCoarsening serial(options);
   serial.restart(foam);
   Host host;
@@ -88,7 +82,7 @@ TEST(ParallelFrame, DoesNotDependOnTheNumberOfThreads) {
   const CoarseningOptions options =
       options_of({Boundary::Free, TwoSidedBubbles::Remove, true, true, false});
   const auto coarsened = [&](int threads) {
-    Foam foam = sample(Boundary::Free, 500, 1);
+    Foam foam = test::jittered_foam(Boundary::Free, 500, 1);
     Host host(threads, 128);
     ParallelFrame<Host> frame(host, options);
     for (int i = 0; i < 3; ++i) {
@@ -120,7 +114,7 @@ TEST(ParallelFrame, EndsWithADoubleBubble) {
 }
 
 TEST(ParallelFrame, StopsWhenAborted) {
-  Foam foam = sample(Boundary::Free, 30, 1);
+  Foam foam = test::jittered_foam(Boundary::Free, 30, 1);
   Host host;
   ParallelFrame<Host> frame(
       host, options_of({Boundary::Free, TwoSidedBubbles::Remove, true, false, false}));
@@ -130,7 +124,7 @@ TEST(ParallelFrame, StopsWhenAborted) {
 // The order in which junctions move.
 
 TEST(UpdateOrder, NobodyWithinReachIsInTheSameWave) {
-  Foam foam = sample(Boundary::Free, 2000, 1);
+  Foam foam = test::jittered_foam(Boundary::Free, 2000, 1);
   const FoamView mesh = view_of(foam);
   Host host;
   junction::UpdateOrder<Host> order(host);
@@ -161,7 +155,7 @@ TEST(ParallelFrame, DoesWhatTheSerialOneDoesWithNewton) {
     options.thresholds.t1_length = 0.1; // few T1s: which come first on the way is not the same
     options.thresholds.t2_area = 0.5;
     options.equilibrator.tolerance = 1e-10;
-    Foam foam = sample(boundary, 80, 3);
+    Foam foam = test::jittered_foam(boundary, 80, 3);
     make_equilibrator(options.equilibrator)->equilibrate(foam, 0, {});
     FrameCoarsening serial(options);
     serial.restart(foam);
@@ -190,7 +184,7 @@ TEST(UpdateOrder, WavesDoWhatMovingOneAfterTheOtherDoes) {
   JunctionOptions options;
   for (const bool orientation : {false, true}) {
     options.orientation_invariant = orientation;
-    Foam waves = sample(Boundary::Free, 300, 2);
+    Foam waves = test::jittered_foam(Boundary::Free, 300, 2);
     disturb(waves, 0.1, 3);
     Foam serial = waves;
     std::vector<junction::JunctionStep> step;
@@ -214,7 +208,7 @@ TEST(UpdateOrder, WavesDoWhatMovingOneAfterTheOtherDoes) {
 }
 
 TEST(FoamView, GivesWhatTheFoamGives) {
-  Foam foam = sample(Boundary::Periodic, 50, 1);
+  Foam foam = test::jittered_foam(Boundary::Periodic, 50, 1);
   disturb(foam, 0.05, 1);
   set_half_angles(foam);
   const FoamView view = view_of(foam);

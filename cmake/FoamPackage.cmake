@@ -28,6 +28,6 @@ endforeach()
 # Libraries are found by themselves; the plugin needs the very ParaView that it is built for.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), paraview (<< 5.12), python3-paraview")
-# The BLAS that the tests run with, and the icons of ParaView's windows.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial, libqt5svg5")
+# The icons of ParaView's windows.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt5svg5")
 include(CPack)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/nested_dissection.h"
+
 namespace foam {
 namespace {
 
@@ -12,6 +14,10 @@ constexpr int kPatchRings = 1;
 constexpr double kLargestPatch = 0.1; // of the foam's bubbles
 
 } // namespace
+
+void Factorisation::analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
+  solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
+}
 
 Index Factorisation::factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
   translation_.clear();
@@ -24,10 +30,10 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
       films_[Foam::size(f)] = film_of(foam, f);
     }
   }
-  return solver_->factorise(matrix.values());
+  return solver_.factorise(matrix.shares(), matrix.diagonal());
 }
 
-bool Factorisation::adapt(const Foam& foam, const Region& region, NewtonMatrix& matrix) {
+bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
   if (topology_ != foam.topology) {
     translation_ = translation(region, matrix.unknowns(), unknowns_);
     topology_ = foam.topology;
@@ -66,7 +72,7 @@ std::vector<Index> Factorisation::changed_bubbles(const Foam& foam, const Region
 
 /// \returns false if the patch is too large or singular.
 bool Factorisation::make_patch(const Foam& foam, const Region& region,
-                               std::span<const Index> bubbles, NewtonMatrix& matrix) {
+                               std::span<const Index> bubbles, const NewtonMatrix& matrix) {
   const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
   if (static_cast<double>(bubbles.size()) > most) {
     return false;
@@ -75,28 +81,25 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region,
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;
   }
-  auto made = std::make_unique<Patch>();
+  Patch& made = patch_.emplace();
   std::vector<char> keep_angle;
   for (const Index f : around.films) {
     keep_angle.push_back(keeps_angle(f) ? 1 : 0);
-    made->columns.push_back(matrix.unknowns().of_film(foam, f));
-    const auto place = std::ranges::lower_bound(region.films, f) - region.films.begin();
-    if (!matrix.assemble_film(foam, region, static_cast<std::size_t>(place), 0)) {
-      return false;
-    }
+    made.columns.push_back(matrix.unknowns().of_film(foam, f));
   }
-  made->matrix.set_up(foam, around, keep_angle);
-  made->matrix.assemble(foam, around, 0);
-  made->rows = translation(around, made->matrix.unknowns(), matrix.unknowns());
-  made->solver->analyse(made->matrix.pattern());
-  if (made->solver->factorise(made->matrix.values()) < 0) {
+  made.matrix.set_up(foam, around, keep_angle);
+  made.matrix.assemble(foam, around, 0);
+  made.rows = translation(around, made.matrix.unknowns(), matrix.unknowns());
+  made.solver.analyse(nested_dissection(foam, around, made.matrix.unknowns()),
+                      made.matrix.shares());
+  if (made.solver.factorise(made.matrix.shares(), made.matrix.diagonal()) < 0) {
+    patch_.reset();
     return false;
   }
-  patch_ = std::move(made);
   return true;
 }
 
-void Factorisation::solve(std::span<double> rhs) const {
+void Factorisation::solve(std::span<double> rhs) {
   std::vector<double> rest;
   if (patch_) {
     for (const Index u : patch_->rows) {
@@ -106,7 +109,7 @@ void Factorisation::solve(std::span<double> rhs) const {
   solve_as_before(rhs);
   if (patch_) {
     patch_->matrix.subtract_product(rhs, patch_->columns, patch_->rows, rest);
-    patch_->solver->solve(rest);
+    patch_->solver.solve(rest);
     for (std::size_t u = 0; u < rest.size(); ++u) {
       rhs[Foam::size(patch_->rows[u])] += rest[u];
     }
@@ -114,9 +117,9 @@ void Factorisation::solve(std::span<double> rhs) const {
 }
 
 /// With the matrix that was factorised; what was not there then does not move.
-void Factorisation::solve_as_before(std::span<double> rhs) const {
+void Factorisation::solve_as_before(std::span<double> rhs) {
   if (translation_.empty()) {
-    solver_->solve(rhs);
+    solver_.solve(rhs);
     return;
   }
   std::vector<double> old(Foam::size(unknowns_.count()), 0.0);
@@ -125,7 +128,7 @@ void Factorisation::solve_as_before(std::span<double> rhs) const {
       old[Foam::size(translation_[u])] = rhs[u];
     }
   }
-  solver_->solve(old);
+  solver_.solve(old);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
     rhs[u] = translation_[u] == kNone ? 0 : old[Foam::size(translation_[u])];
   }

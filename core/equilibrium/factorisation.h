@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "equilibrium/newton_matrix.h"
-#include "equilibrium/sparse_solver.h"
 
 namespace foam {
 
@@ -21,25 +20,22 @@ namespace foam {
 /// left is small and smooth, so that an iteration with it contracts.
 class Factorisation {
 public:
-  Factorisation() : solver_(make_sparse_solver()) {}
-
   /// Symbolic factorisation.
-  void analyse(NewtonMatrix& matrix) { solver_->analyse(matrix.pattern()); }
+  void analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// \returns the number of negative pivots, or −1 if it cannot be factorised.
   Index factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
 
   /// Makes the last factorise() serve for what the whole foam is now. \param matrix of the present
-  /// topology; its shares of films that have changed are brought up to date. \returns false if too
-  /// much has changed.
-  bool adapt(const Foam& foam, const Region& region, NewtonMatrix& matrix);
+  /// topology and state. \returns false if too much has changed.
+  bool adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// Whether the film's half-angle was an unknown.
   bool keeps_angle(Index film) const { return unknowns_.angle(film) != kNone; }
 
   /// Replaces the right-hand side by the solution, which is approximate after adapt().
-  void solve(std::span<double> rhs) const;
+  void solve(std::span<double> rhs);
 
 private:
-  void solve_as_before(std::span<double> rhs) const;
+  void solve_as_before(std::span<double> rhs);
   /// What a film was when the matrix was factorised.
   struct Film {
     std::array<Index, 4> neighbours{}; ///< start, end, left, right
@@ -49,7 +45,7 @@ private:
   /// Around the films that have changed.
   struct Patch {
     NewtonMatrix matrix;
-    std::unique_ptr<SparseSolver> solver = make_sparse_solver();
+    MultifrontalSolver solver;
     std::vector<Index> rows;                   ///< its unknowns' numbers in the whole matrix
     std::vector<std::array<Index, 7>> columns; ///< its films' unknowns' numbers there
   };
@@ -57,14 +53,14 @@ private:
   bool changed(const Foam& foam, Index film) const;
   std::vector<Index> changed_bubbles(const Foam& foam, const Region& region) const;
   bool make_patch(const Foam& foam, const Region& region, std::span<const Index> bubbles,
-                  NewtonMatrix& matrix);
+                  const NewtonMatrix& matrix);
 
-  std::unique_ptr<SparseSolver> solver_;
+  MultifrontalSolver solver_;
   Unknowns unknowns_;
   std::vector<Film> films_;        ///< by film
   std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for
   std::vector<Index> translation_; ///< to unknowns_; empty while the topology is the same
-  std::unique_ptr<Patch> patch_;   ///< nothing while no film has changed
+  std::optional<Patch> patch_;     ///< nothing while no film has changed
 };
 
 } // namespace foam

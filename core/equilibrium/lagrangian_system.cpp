@@ -5,13 +5,15 @@
 #include <cmath>
 #include <functional>
 
+#include "algebra/conjugate_residuals.h"
 #include "equilibrium/film_lagrangian.h"
 
 namespace foam {
 namespace {
 
 constexpr double kLargestGrowth = 0.5; // of a bubble's area that one step asks for
-constexpr int kRefinements = 10;
+constexpr int kDirections = 8;         // after which a new factorisation is cheaper
+constexpr double kForcing = 1e-2;      // of the load, that an inexact step may leave
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
 
@@ -43,7 +45,7 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
                                 : NewtonMatrix::angle_is_delicate(foam, f));
   }
   renumber(foam);
-  if (!adapt || !assemble(foam, 0)) {
+  if (!adapt) {
     return;
   }
   factorised_ = true;
@@ -91,7 +93,7 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
   }
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
     residual.force =
-        std::max(residual.force, std::hypot(gradient_[2 * i], gradient_[2 * i + 1]) / tension);
+        std::max(residual.force, norm(Vec2{gradient_[2 * i], gradient_[2 * i + 1]}) / tension);
   }
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
     const Index b = region_.bubbles[i];
@@ -116,7 +118,7 @@ std::vector<Index> LagrangianSystem::rough_bubbles(const Foam& foam, double limi
     }
   }
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
-    if (std::hypot(gradient_[2 * i], gradient_[2 * i + 1]) > limit * tension) {
+    if (norm(Vec2{gradient_[2 * i], gradient_[2 * i + 1]}) > limit * tension) {
       for (const Index h : foam.junction_half[Foam::size(region_.junctions[i])]) {
         rough.push_back(foam.left(h));
       }
@@ -157,7 +159,7 @@ bool LagrangianSystem::factorise(const Foam& foam, Index surplus) {
       continue;
     }
     if (!analysed_) {
-      factorisation_.analyse(matrix_);
+      factorisation_.analyse(foam, region_, matrix_);
       analysed_ = true;
     }
     const Index negative = factorisation_.factorise(foam, region_, matrix_);
@@ -173,47 +175,82 @@ bool LagrangianSystem::factorise(const Foam& foam, Index surplus) {
 }
 
 bool LagrangianSystem::adapt(const Foam& foam) {
+  if (factorised_ && !assemble(foam, 0)) {
+    evaluate(foam);
+  }
   factorised_ = factorised_ && (!region_.whole || factorisation_.adapt(foam, region_, matrix_));
   return factorised_;
 }
 
 const Step& LagrangianSystem::newton_step(const Foam& foam) {
-  std::vector<double> change(gradient_.size());
-  std::ranges::transform(gradient_, change.begin(), std::negate<>());
-  matrix_.condense(angle_gradient_, change);
+  std::vector<double> change = load();
   factorisation_.solve(change);
   extract(foam, change, step_);
   return step_;
 }
 
+const Step* LagrangianSystem::newton_step(const Foam& foam, double limit) {
+  std::vector<double> rest = load();
+  std::vector<double> change(rest.size(), 0.0);
+  const double enough = std::max(limit, kForcing * largest(foam, rest));
+  if (!solve(foam, change, rest, enough)) {
+    return nullptr;
+  }
+  extract(foam, change, step_);
+  return &step_;
+}
+
+/// The right-hand side of Newton's equations.
+std::vector<double> LagrangianSystem::load() const {
+  std::vector<double> load(gradient_.size());
+  std::ranges::transform(gradient_, load.begin(), std::negate<>());
+  matrix_.condense(angle_gradient_, load);
+  return load;
+}
+
+/// Adds to a change what takes away the rest of the load that it leaves, down to a limit of
+/// dimensionless residuals. \returns whether the limit is met.
+bool LagrangianSystem::solve(const Foam& foam, std::span<double> change, std::vector<double>& rest,
+                             double limit) {
+  const Residual unit = units(foam);
+  const Unknowns& unknowns = matrix_.unknowns();
+  std::vector<double> weight(rest.size(), 1 / unit.curvature);
+  const auto first_pressure = weight.begin() + unknowns.first_pressure();
+  const auto first_angle = weight.begin() + unknowns.first_angle();
+  std::fill(weight.begin(), first_pressure, 1 / unit.force);
+  std::fill(first_pressure, first_angle, 1 / unit.area);
+  return conjugate_residuals(
+      change, rest, weight,
+      [&](std::span<const double> x, std::span<double> from) { matrix_.subtract_product(x, from); },
+      [&](std::span<double> x) {
+        factorisation_.solve(x);
+        remove_rigid_motion(foam, x);
+      },
+      [&](std::span<const double> left) { return largest(foam, left) <= limit; }, kDirections);
+}
+
 const Step* LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate,
                                        double drift) {
-  if (!factorised_ || !assemble(foam, 0) || !adapt(foam)) {
+  if (!adapt(foam)) {
     return nullptr;
   }
   const Unknowns& unknowns = matrix_.unknowns();
-  std::vector<double> load(Foam::size(unknowns.count()), 0.0);
+  std::vector<double> rest(Foam::size(unknowns.count()), 0.0);
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
-    load[Foam::size(unknowns.first_pressure()) + i] = -area_rate[Foam::size(region_.bubbles[i])];
+    rest[Foam::size(unknowns.first_pressure()) + i] = -area_rate[Foam::size(region_.bubbles[i])];
   }
   std::vector<double> change = last_response_;
-  change.resize(load.size(), 0.0);
-  bend_.resize(load.size(), 0.0);
+  change.resize(rest.size(), 0.0);
+  bend_.resize(rest.size(), 0.0);
   std::ranges::transform(change, bend_, change.begin(), std::plus<>());
-  std::vector<double> rest = load;
   matrix_.subtract_product(change, rest);
-  bool done = drift < kAnyDrift && largest(foam, rest) <= drift;
-  for (int k = 0; !done; ++k) {
-    if (k == kRefinements) {
-      last_response_.clear();
-      return nullptr;
-    }
+  if (drift == kAnyDrift) {
     factorisation_.solve(rest);
     remove_rigid_motion(foam, rest);
     std::ranges::transform(change, rest, change.begin(), std::plus<>());
-    rest = load;
-    matrix_.subtract_product(change, rest);
-    done = largest(foam, rest) <= drift;
+  } else if (!solve(foam, change, rest, drift)) {
+    last_response_.clear();
+    return nullptr;
   }
   if (last_response_.empty()) {
     bend_.assign(change.size(), 0.0);
@@ -226,21 +263,28 @@ const Step* LagrangianSystem::response(const Foam& foam, const std::vector<doubl
   return &response_;
 }
 
-/// The largest dimensionless residual, areas in units of the mean.
-double LagrangianSystem::largest(const Foam& foam, std::span<const double> rest) const {
+/// What residuals of the unknowns' equations are measured in: T for forces, the mean area, and
+/// T·spacing for half-angles.
+Residual LagrangianSystem::units(const Foam& foam) {
   const double tension = 2 * foam.surface_tension;
   const double spacing = foam.mean_spacing();
+  return {.force = tension, .curvature = tension * spacing, .area = spacing * spacing};
+}
+
+/// The largest dimensionless residual, areas in units of the mean.
+double LagrangianSystem::largest(const Foam& foam, std::span<const double> rest) const {
+  const Residual unit = units(foam);
   const Unknowns& unknowns = matrix_.unknowns();
-  double forces = 0;
-  double areas = 0;
-  double torques = 0;
-  for (std::size_t u = 0; u < rest.size(); ++u) {
-    double& kind = u < Foam::size(unknowns.first_pressure()) ? forces
-                   : u < Foam::size(unknowns.first_angle())  ? areas
-                                                             : torques;
-    kind = std::max(kind, std::abs(rest[u]));
-  }
-  return std::max({forces / tension, areas / (spacing * spacing), torques / (tension * spacing)});
+  const auto part = [&](Index begin, Index end) {
+    double most = 0;
+    for (Index u = begin; u < end; ++u) {
+      most = std::max(most, std::abs(rest[Foam::size(u)]));
+    }
+    return most;
+  };
+  return std::max({part(0, unknowns.first_pressure()) / unit.force,
+                   part(unknowns.first_pressure(), unknowns.first_angle()) / unit.area,
+                   part(unknowns.first_angle(), unknowns.count()) / unit.curvature});
 }
 
 /// Takes out of the unknowns' changes what moves the foam as a whole: it costs nothing, so that

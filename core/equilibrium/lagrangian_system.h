@@ -62,11 +62,16 @@ public:
 
   /// Newton's step from the last evaluate() with the last factorise().
   const Step& newton_step(const Foam& foam);
+  /// The same after adapt(), inexact: the factorisation preconditions an iteration until the step
+  /// leaves a hundredth of the load or a limit of dimensionless residuals (R. S. Dembo, S. C.
+  /// Eisenstat, T. Steihaug, SIAM J. Numer. Anal. 19 (1982) 400). \returns nothing if that takes
+  /// too long.
+  const Step* newton_step(const Foam& foam, double limit);
 
   /// How the equilibrium moves per unit of time while target areas change at the given rates
   /// (cm²/s, by bubble), to first order. The last factorise() serves, be it of another state: what
-  /// it lacks is made up for by iterative refinement, which begins with what the last two responses
-  /// lead to expect, until the foam would leave its equilibrium no faster than at `drift` (1/s, of
+  /// it lacks is made up for by an iteration, which begins with what the last two responses lead to
+  /// expect, until the foam would leave its equilibrium no faster than at `drift` (1/s, of
   /// dimensionless residuals, areas in units of the mean). \returns nothing if that is not reached;
   /// kAnyDrift always is.
   const Step* response(const Foam& foam, const std::vector<double>& area_rate, double drift);
@@ -79,6 +84,9 @@ private:
   Vec2 displacement(Index junction, const Step& step) const;
   void renumber(const Foam& foam);
   bool assemble(const Foam& foam, double shift);
+  std::vector<double> load() const;
+  bool solve(const Foam& foam, std::span<double> change, std::vector<double>& rest, double limit);
+  static Residual units(const Foam& foam);
   double largest(const Foam& foam, std::span<const double> rest) const;
   void extract(const Foam& foam, std::span<double> change, Step& step);
   void remove_rigid_motion(const Foam& foam, std::span<double> change) const;

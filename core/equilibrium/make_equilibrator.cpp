@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#ifdef FOAM_HAVE_NEWTON
 #include "equilibrium/newton_equilibrator.h"
-#else
-#include "equilibrium/krylov_equilibrator.h"
-#endif
 #include "junction/junction_equilibrator.h"
 #include "mesh/number.h"
 #include "parallel/accelerator.h"
 
 namespace foam {
-namespace {
-
-std::unique_ptr<Equilibrator> make_newton(const EquilibratorOptions& options) {
-#ifdef FOAM_HAVE_NEWTON
-  return std::make_unique<NewtonEquilibrator>(options);
-#else // without a sparse solver
-  return std::make_unique<KrylovEquilibrator>(options);
-#endif
-}
-
-} // namespace
-
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw FoamError("Tolerance must be positive, but is " + number(options.tolerance));
@@ -38,7 +22,7 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
   if (options.kind == EquilibratorKind::Junction) {
     return std::make_unique<JunctionEquilibrator>(options);
   }
-  return make_newton(options);
+  return std::make_unique<NewtonEquilibrator>(options);
 }
 
 } // namespace foam

@@ -13,13 +13,15 @@
 namespace foam {
 namespace {
 
-constexpr double kFar = 0.5;              // residual that Newton's method may not be up to
-constexpr double kHemmedIn = 0.25;        // part of its step that can be taken where it is not
-constexpr double kContraction = 0.25;     // what a reused factorisation must achieve
-constexpr double kReuseBelow = 0.1;       // residual from which on reuse is tried
-constexpr double kStationaryBelow = 1e-6; // residual from which on any equilibrium will do
+constexpr double kFar = 0.5;          // residual that Newton's method may not be up to
+constexpr double kHemmedIn = 0.25;    // part of its step that can be taken where it is not
+constexpr double kContraction = 0.25; // what a reused factorisation must achieve
+constexpr double kExcess = 0.3;       // part of the tolerance that a step's equations may miss
+constexpr double kReuseBelow = 0.1;   // residual from which on reuse is tried
+constexpr double kChordBelow = 1e-4;  // residual from which on a system serves for several steps
+constexpr double kStationaryBelow = 1e-5; // residual from which on any equilibrium will do
 constexpr double kFreeToTurnBelow =
-    0.01; // residual from which on a free foam's rotation is told apart
+    0.1; // residual from which on a free foam's rotation is told apart
 constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
 constexpr double kSmallestStep = 1e-4; // of a line search
 constexpr int kPatchRings = 3;
@@ -157,6 +159,7 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
   int since_best = 0;
   Residual residual;
   bool evaluated = false;
+  bool adapted = false;
   while (true) {
     if (aborted && aborted()) {
       throw Aborted();
@@ -164,6 +167,7 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
     if (!system.fits(foam)) {
       system.set_up(foam, make_region(foam, touched));
       evaluated = false;
+      adapted = false;
     }
     if (!evaluated) {
       residual = system.evaluate(foam);
@@ -180,10 +184,11 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
       return {false, residual};
     }
     ++iterations_;
-    if (reuse_factorisation(foam, system, tolerance, residual)) {
+    if (reuse_factorisation(foam, system, tolerance, residual, adapted)) {
       continue;
     }
-    if (!system.factorise(foam, surplus(foam, residual))) {
+    adapted = system.factorise(foam, surplus(foam, residual));
+    if (!adapted) {
       return {false, residual};
     }
     const Step& step = system.newton_step(foam);
@@ -196,19 +201,25 @@ NewtonEquilibrator::relax(Foam& foam, LagrangianSystem& system, const MakeRegion
   }
 }
 
-/// One step with the factorisation at hand, undone unless it contracts.
+/// One step with the factorisation at hand, undone unless it contracts. \param adapted whether the
+/// system is about that of the present state.
 bool NewtonEquilibrator::reuse_factorisation(Foam& foam, LagrangianSystem& system, double tolerance,
-                                             Residual& residual) {
-  if (!system.factorised() || system.shifted() || residual.largest() > kReuseBelow ||
-      !system.adapt(foam)) {
+                                             Residual& residual, bool& adapted) {
+  if (!system.factorised() || system.shifted() || residual.largest() > kReuseBelow) {
     return false;
   }
-  const Step& step = system.newton_step(foam);
-  if (longest_step(foam, system, step) < 1) {
+  if (!adapted || residual.largest() > kChordBelow) {
+    adapted = system.adapt(foam);
+    if (!adapted) {
+      return false;
+    }
+  }
+  const Step* step = system.newton_step(foam, kExcess * tolerance);
+  if (step == nullptr || longest_step(foam, system, *step) < 1) {
     return false;
   }
   const Snapshot before(foam, system.region());
-  before.advance(foam, step, 1);
+  before.advance(foam, *step, 1);
   const Residual after = system.evaluate(foam);
   if (after.largest() < kContraction * residual.largest() || after.largest() < tolerance) {
     residual = after;

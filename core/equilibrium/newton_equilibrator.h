@@ -63,7 +63,7 @@ private:
   Outcome relax(Foam& foam, LagrangianSystem& system, const MakeRegion& make_region,
                 double tolerance, double t1_length, const AbortCheck& aborted);
   bool reuse_factorisation(Foam& foam, LagrangianSystem& system, double tolerance,
-                           Residual& residual);
+                           Residual& residual, bool& adapted);
   bool search_line(Foam& foam, LagrangianSystem& system, const Step& step, Residual& residual);
   std::vector<Index> closing_films(const Foam& foam, const LagrangianSystem& system,
                                    const Step& step, double t1_length) const;

@@ -47,7 +47,6 @@ void NewtonMatrix::set_up(const Foam& foam, const Region& region,
   for (std::size_t i = 0; i < films_.size(); ++i) {
     films_[i].unknown = unknowns_.of_film(foam, region.films[i]);
   }
-  slots_.clear();
 }
 
 std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& region,
@@ -77,7 +76,7 @@ bool NewtonMatrix::assemble_film(const Foam& foam, const Region& region, std::si
     eliminate_angle(film);
   }
   for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
-    films_[place].share[k] = film.hessian[row][column];
+    films_[place].value[k] = film.hessian[row][column];
   });
   return true;
 }
@@ -92,7 +91,7 @@ double NewtonMatrix::regularisation(std::size_t unknown) const {
 void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<double> rhs) const {
   for (std::size_t i = 0; i < films_.size(); ++i) {
     if (!keeps_angle(i)) {
-      const double* const row = &films_[i].share[kAngleRow];
+      const double* const row = &films_[i].value[kAngleRow];
       for (std::size_t k = 0; k < kAngle; ++k) {
         if (films_[i].unknown[k] != kNone) {
           rhs[Foam::size(films_[i].unknown[k])] += row[k] * angle_gradient[i] / row[kAngle];
@@ -104,24 +103,24 @@ void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<do
 
 double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
                                   std::span<const double> x) const {
-  const Film& film = films_[place];
+  const FilmShare& film = films_[place];
   if (film.unknown[kAngle] != kNone) {
     return x[Foam::size(film.unknown[kAngle])];
   }
   double sum = angle_gradient;
   for (std::size_t k = 0; k < kAngle; ++k) {
     if (film.unknown[k] != kNone) {
-      sum += film.share[kAngleRow + k] * x[Foam::size(film.unknown[k])];
+      sum += film.value[kAngleRow + k] * x[Foam::size(film.unknown[k])];
     }
   }
-  return -sum / film.share[kAngleRow + kAngle];
+  return -sum / film.value[kAngleRow + kAngle];
 }
 
 void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double> from) const {
   for (std::size_t u = 0; u < from.size(); ++u) {
     from[u] -= regularisation(u) * x[u];
   }
-  for (const Film& film : films_) {
+  for (const FilmShare& film : films_) {
     subtract_film(film, film.unknown, x, from);
   }
 }
@@ -137,7 +136,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x,
   }
 }
 
-void NewtonMatrix::subtract_film(const Film& film, const std::array<Index, 7>& columns,
+void NewtonMatrix::subtract_film(const FilmShare& film, const std::array<Index, 7>& columns,
                                  std::span<const double> x, std::span<double> from) {
   std::array<double, 7> change{};
   std::array<double, 7> force{};
@@ -148,10 +147,10 @@ void NewtonMatrix::subtract_film(const Film& film, const std::array<Index, 7>& c
   std::size_t k = 0;
   for (std::size_t row = 0; row < size; ++row) {
     for (std::size_t column = 0; column < row; ++column, ++k) {
-      force[row] += film.share[k] * change[column];
-      force[column] += film.share[k] * change[row];
+      force[row] += film.value[k] * change[column];
+      force[column] += film.value[k] * change[row];
     }
-    force[row] += film.share[k++] * change[row];
+    force[row] += film.value[k++] * change[row];
   }
   for (std::size_t row = 0; row < size; ++row) {
     if (film.unknown[row] != kNone) {
@@ -160,83 +159,12 @@ void NewtonMatrix::subtract_film(const Film& film, const std::array<Index, 7>& c
   }
 }
 
-const SymmetricPattern& NewtonMatrix::pattern() {
-  if (slots_.empty()) {
-    build_pattern();
+std::vector<double> NewtonMatrix::diagonal() const {
+  std::vector<double> diagonal(Foam::size(unknowns_.count()));
+  for (std::size_t u = 0; u < diagonal.size(); ++u) {
+    diagonal[u] = regularisation(u);
   }
-  return pattern_;
-}
-
-std::vector<double> NewtonMatrix::values() const {
-  std::vector<double> values(pattern_.row.size(), 0.0);
-  for (std::size_t u = 0; u < diagonal_.size(); ++u) {
-    values[Foam::size(diagonal_[u])] = regularisation(u);
-  }
-  for (std::size_t i = 0; i < films_.size(); ++i) {
-    for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
-      if (slots_[i][k] != kNone) {
-        const auto& unknown = films_[i].unknown;
-        const bool folded = row != column && unknown[row] == unknown[column];
-        values[Foam::size(slots_[i][k])] += (folded ? 2 : 1) * films_[i].share[k];
-      }
-    });
-  }
-  return values;
-}
-
-void NewtonMatrix::build_pattern() {
-  struct Entry {
-    Index column, row;
-    Index* slot;
-  };
-  const Index count = unknowns_.count();
-  slots_.resize(films_.size());
-  std::vector<Entry> entries;
-  entries.reserve(28 * films_.size() + Foam::size(count));
-  diagonal_.assign(Foam::size(count), kNone);
-  for (Index i = 0; i < count; ++i) {
-    entries.push_back({i, i, &diagonal_[Foam::size(i)]});
-  }
-  for (std::size_t i = 0; i < films_.size(); ++i) {
-    slots_[i].fill(kNone);
-    for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
-      const Index u = films_[i].unknown[row];
-      const Index v = films_[i].unknown[column];
-      if (u != kNone && v != kNone) {
-        entries.push_back({std::min(u, v), std::max(u, v), &slots_[i][k]});
-      }
-    });
-  }
-  // Counting sort by column, then a sort by row within each column.
-  std::vector<Index> begin(Foam::size(count) + 1, 0);
-  for (const Entry& e : entries) {
-    ++begin[Foam::size(e.column) + 1];
-  }
-  for (std::size_t i = 1; i < begin.size(); ++i) {
-    begin[i] += begin[i - 1];
-  }
-  std::vector<Entry> sorted(entries.size());
-  std::vector<Index> at = begin;
-  for (const Entry& e : entries) {
-    sorted[Foam::size(at[Foam::size(e.column)]++)] = e;
-  }
-  pattern_.column_start.assign(1, 0);
-  pattern_.row.clear();
-  for (Index c = 0; c < count; ++c) {
-    const auto first = sorted.begin() + begin[Foam::size(c)];
-    const auto last = sorted.begin() + begin[Foam::size(c) + 1];
-    std::sort(first, last, [](const Entry& x, const Entry& y) { return x.row < y.row; });
-    Index previous = kNone;
-    for (auto e = first; e != last; ++e) {
-      if (e->row != previous) {
-        pattern_.row.push_back(e->row);
-        previous = e->row;
-      }
-      *e->slot = static_cast<Index>(pattern_.row.size()) - 1;
-    }
-    pattern_.column_start.push_back(static_cast<Index>(pattern_.row.size()));
-  }
-  pattern_.delicate = count - unknowns_.first_angle();
+  return diagonal;
 }
 
 } // namespace foam

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "algebra/multifrontal_solver.h"
 #include "equilibrium/film_lagrangian.h"
-#include "equilibrium/sparse_solver.h"
 #include "equilibrium/unknowns.h"
 
 namespace foam {
@@ -30,8 +30,6 @@ public:
   /// T·d. \returns the films, by place, whose eliminated angles must be kept; if there are any, the
   /// matrix is of no use.
   std::vector<std::size_t> assemble(const Foam& foam, const Region& region, double shift);
-  /// Brings one film's share up to date. \returns false if its angle must be kept but is not.
-  bool assemble_film(const Foam& foam, const Region& region, std::size_t place, double shift);
 
   const Unknowns& unknowns() const { return unknowns_; }
   std::array<Index, 7> film_unknowns(std::size_t place) const { return films_[place].unknown; }
@@ -51,27 +49,22 @@ public:
   void subtract_product(std::span<const double> x, std::span<const std::array<Index, 7>> columns,
                         std::span<const Index> rows, std::span<double> from) const;
 
-  const SymmetricPattern& pattern();
-  std::vector<double> values() const; ///< in the pattern's order \pre pattern() was called
+  /// By place in region.films; of an eliminated α the last row is what it was before.
+  std::span<const FilmShare> shares() const { return films_; }
+  /// What is added to the shares, by unknown.
+  std::vector<double> diagonal() const;
 
 private:
-  struct Film {
-    std::array<Index, 7> unknown{}; ///< kNone where held
-    std::array<double, 28> share{}; ///< lower triangle; of an eliminated α the last row before
-  };
-  static void subtract_film(const Film& film, const std::array<Index, 7>& columns,
+  /// \returns false if the film's angle must be kept but is not.
+  bool assemble_film(const Foam& foam, const Region& region, std::size_t place, double shift);
+  static void subtract_film(const FilmShare& film, const std::array<Index, 7>& columns,
                             std::span<const double> x, std::span<double> from);
-  void build_pattern();
   double regularisation(std::size_t unknown) const;
 
   Unknowns unknowns_;
-  std::vector<Film> films_;
+  std::vector<FilmShare> films_;
   double junction_diagonal_ = 0;
   double pressure_diagonal_ = 0;
-
-  SymmetricPattern pattern_;
-  std::vector<std::array<Index, 28>> slots_; ///< of the shares in the pattern; empty: not built
-  std::vector<Index> diagonal_;              ///< slots
 };
 
 } // namespace foam

@@ -39,8 +39,9 @@ private:
 
   bool integrate(bool careful, const AbortCheck& aborted);
   void predict_whole();
-  /// At which a foam may leave equilibrium along its response, 1/s: by the tolerance in a frame.
-  double drift() const { return options_.equilibrator.tolerance / options_.time_step; }
+  /// At which a foam may leave equilibrium along its response, 1/s: in a frame by so much that one
+  /// more step of Newton's method is enough.
+  double drift() const { return 30 * options_.equilibrator.tolerance / options_.time_step; }
   void balance_gas();
 
   void expect_all();

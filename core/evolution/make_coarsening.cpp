@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#ifdef FOAM_HAVE_NEWTON
 #include "evolution/event_coarsening.h"
-#endif
 #include "evolution/frame_coarsening.h"
 #include "mesh/number.h"
 #include "parallel/accelerator.h"
@@ -31,11 +29,9 @@ std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
     return accelerator->make_coarsening(options);
   }
   make_equilibrator(options.equilibrator); // checks its options
-#ifdef FOAM_HAVE_NEWTON
   if (options.equilibrator.kind == EquilibratorKind::Newton) {
     return std::make_unique<EventCoarsening>(options);
   }
-#endif
   return std::make_unique<FrameCoarsening>(options);
 }
 

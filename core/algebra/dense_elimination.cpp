@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Products are made of tiles that are summed in registers, from copies of rows that lie in memory
+// as they are needed (K. Goto, R. A. van de Geijn, ACM Trans. Math. Softw. 34 (2008) 12). Every
+// entry is the sum of its products in their order.
+#include "algebra/dense_elimination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#define FOAM_INLINE inline __attribute__((always_inline))
+
+namespace foam {
+namespace {
+
+using Pack = double __attribute__((vector_size(64))); // of consecutive rows
+
+constexpr std::size_t kTileRows = 8;
+constexpr std::size_t kTileColumns = 6;
+constexpr std::size_t kDepth = 256; // pivots at a time, so that the copies stay in the cache
+constexpr std::size_t kRows = 96;   // rows at a time, likewise
+constexpr std::size_t kBlock = 16;  // pivots that are eliminated one by one
+
+/// A matrix in memory, column by column.
+struct Block {
+  double* entries;
+  std::size_t rows, columns;
+  std::size_t stride; ///< from one column to the next
+
+  FOAM_INLINE double* column(std::size_t j) const { return entries + j * stride; }
+};
+
+/// Copies rows [begin, begin + width) of a block's columns, those past its end as 0, times a factor
+/// for each column.
+template <std::size_t width, class Factor>
+FOAM_INLINE void copy_rows(const Block& block, std::size_t begin, const Factor& factor,
+                           std::size_t depth, double* to) {
+  const std::size_t there = std::min(width, block.rows - begin);
+  for (std::size_t k = 0; k < depth; ++k, to += width) {
+    const double* const from = block.column(k) + begin;
+    const double times = factor(k);
+    for (std::size_t i = 0; i < there; ++i) {
+      to[i] = times * from[i];
+    }
+    for (std::size_t i = there; i < width; ++i) {
+      to[i] = 0;
+    }
+  }
+}
+
+/// tile = A·Bᵀ of copied rows.
+FOAM_INLINE void multiply_tile(const double* a, const double* b, std::size_t depth, double* tile) {
+  Pack sums[kTileColumns] = {};
+  for (std::size_t k = 0; k < depth; ++k) {
+    Pack rows;
+    std::memcpy(&rows, a + k * kTileRows, sizeof rows);
+    for (std::size_t j = 0; j < kTileColumns; ++j) {
+      sums[j] += rows * b[k * kTileColumns + j];
+    }
+  }
+  std::memcpy(tile, sums, sizeof sums);
+}
+
+/// C −= L·D·Mᵀ on and below the diagonal of C, and a little above it, M being the first rows of L.
+FOAM_INLINE void subtract_product(const Block& l, const double* d, const Block& c) {
+  thread_local std::vector<double> a_copy(kRows * kDepth);
+  thread_local std::vector<double> b_copy;
+  const std::size_t tiles = (c.columns + kTileColumns - 1) / kTileColumns;
+  for (std::size_t first = 0; first < l.columns; first += kDepth) {
+    const std::size_t depth = std::min(kDepth, l.columns - first);
+    const Block part{l.column(first), l.rows, depth, l.stride};
+    b_copy.resize(std::max(b_copy.size(), tiles * kTileColumns * depth));
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+      copy_rows<kTileColumns>(
+          part, tile * kTileColumns, [&](std::size_t k) { return d[first + k]; }, depth,
+          &b_copy[tile * kTileColumns * depth]);
+    }
+    for (std::size_t top = 0; top < c.rows; top += kRows) {
+      const std::size_t bottom = std::min(top + kRows, c.rows);
+      for (std::size_t row = top; row < bottom; row += kTileRows) {
+        copy_rows<kTileRows>(
+            part, row, [](std::size_t) { return 1.0; }, depth, &a_copy[(row - top) * depth]);
+      }
+      for (std::size_t tile = 0; tile < tiles && tile * kTileColumns < bottom; ++tile) {
+        const std::size_t left = tile * kTileColumns;
+        const std::size_t right = std::min(left + kTileColumns, c.columns);
+        for (std::size_t row = std::max(top, left / kTileRows * kTileRows); row < bottom;
+             row += kTileRows) {
+          alignas(Pack) double sums[kTileRows * kTileColumns];
+          multiply_tile(&a_copy[(row - top) * depth], &b_copy[left * depth], depth, sums);
+          const std::size_t height = std::min(kTileRows, c.rows - row);
+          for (std::size_t j = left; j < right; ++j) {
+            double* const entries = c.column(j) + row;
+            const double* const sum = sums + (j - left) * kTileRows;
+            for (std::size_t i = 0; i < height; ++i) {
+              entries[i] -= sum[i];
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Eliminates the unknowns of a few columns one after the other. \returns false if a pivot is too
+/// small.
+FOAM_INLINE bool eliminate_columns(const Block& block, double* pivots, double least) {
+  for (std::size_t k = 0; k < block.columns; ++k) {
+    double* const column = block.column(k);
+    const double pivot = column[k];
+    if (!(std::abs(pivot) > least)) {
+      return false;
+    }
+    pivots[k] = pivot;
+    for (std::size_t j = k + 1; j < block.columns; ++j) {
+      double* const other = block.column(j);
+      const double factor = column[j] / pivot;
+      for (std::size_t i = j; i < block.rows; ++i) {
+        other[i] -= factor * column[i];
+      }
+    }
+    for (std::size_t i = k + 1; i < block.rows; ++i) {
+      column[i] /= pivot;
+    }
+  }
+  return true;
+}
+
+FOAM_INLINE bool eliminate(std::span<double> columns, std::span<double> rest,
+                           std::span<double> pivots, double least) {
+  const std::size_t count = pivots.size();
+  if (count == 0) {
+    return true;
+  }
+  const std::size_t size = columns.size() / count;
+  const auto from = [&](std::size_t k, std::size_t width) {
+    return Block{&columns[k * size + k], size - k, width, size};
+  };
+  for (std::size_t k = 0; k < count; k += kBlock) {
+    const std::size_t width = std::min(kBlock, count - k);
+    if (!eliminate_columns(from(k, width), &pivots[k], least)) {
+      return false;
+    }
+    const std::size_t next = k + width;
+    if (next < count) {
+      subtract_product({&columns[k * size + next], size - next, width, size}, &pivots[k],
+                       from(next, count - next));
+    }
+  }
+  if (count < size) {
+    const std::size_t left = size - count;
+    subtract_product({&columns[count], left, count, size}, pivots.data(),
+                     {rest.data(), left, left, left});
+  }
+  return true;
+}
+
+/// to −= factor·from.
+FOAM_INLINE void subtract(double factor, const double* from, std::size_t size, double* to) {
+  for (std::size_t i = 0; i < size; ++i) {
+    to[i] -= factor * from[i];
+  }
+}
+
+FOAM_INLINE double product(const double* a, const double* b, std::size_t size) {
+  constexpr std::size_t width = sizeof(Pack) / sizeof(double);
+  Pack sums{};
+  std::size_t i = 0;
+  for (; i + width <= size; i += width) {
+    Pack x;
+    Pack y;
+    std::memcpy(&x, a + i, sizeof x);
+    std::memcpy(&y, b + i, sizeof y);
+    sums += x * y;
+  }
+  double sum = 0;
+  for (; i < size; ++i) {
+    sum += a[i] * b[i];
+  }
+  for (std::size_t k = 0; k < width; ++k) {
+    sum += sums[k];
+  }
+  return sum;
+}
+
+FOAM_INLINE void lower(std::span<const double> columns, std::span<double> own,
+                       std::span<double> rest) {
+  const std::size_t count = own.size();
+  const double* column = columns.data();
+  for (std::size_t k = 0; k < count; ++k, column += count + rest.size()) {
+    subtract(own[k], column + k + 1, count - k - 1, own.data() + k + 1);
+    subtract(own[k], column + count, rest.size(), rest.data());
+  }
+}
+
+FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
+                       std::span<const double> rest) {
+  const std::size_t count = own.size();
+  for (std::size_t k = count; k-- > 0;) {
+    const double* const column = columns.data() + k * (count + rest.size());
+    own[k] -= product(column + count, rest.data(), rest.size()) +
+              product(column + k + 1, own.data() + k + 1, count - k - 1);
+  }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"))) void lower_avx2(std::span<const double> columns,
+                                                std::span<double> own, std::span<double> rest) {
+  lower(columns, own, rest);
+}
+
+__attribute__((target("avx2"))) void
+upper_avx2(std::span<const double> columns, std::span<double> own, std::span<const double> rest) {
+  upper(columns, own, rest);
+}
+
+__attribute__((target("avx2"))) bool eliminate_avx2(std::span<double> columns,
+                                                    std::span<double> rest,
+                                                    std::span<double> pivots, double least) {
+  return eliminate(columns, rest, pivots, least);
+}
+
+__attribute__((target("avx512f"))) void
+lower_avx512(std::span<const double> columns, std::span<double> own, std::span<double> rest) {
+  lower(columns, own, rest);
+}
+
+__attribute__((target("avx512f"))) void
+upper_avx512(std::span<const double> columns, std::span<double> own, std::span<const double> rest) {
+  upper(columns, own, rest);
+}
+
+__attribute__((target("avx512f"))) bool eliminate_avx512(std::span<double> columns,
+                                                         std::span<double> rest,
+                                                         std::span<double> pivots, double least) {
+  return eliminate(columns, rest, pivots, least);
+}
+#endif
+
+} // namespace
+
+// As the processor's vectors are.
+#if defined(__x86_64__)
+#define FOAM_CHOOSE(function, ...)                                                                 \
+  (__builtin_cpu_supports("avx512f") ? function##_avx512(__VA_ARGS__)                              \
+   : __builtin_cpu_supports("avx2")  ? function##_avx2(__VA_ARGS__)                                \
+                                     : function(__VA_ARGS__))
+#else
+#define FOAM_CHOOSE(function, ...) function(__VA_ARGS__)
+#endif
+
+bool eliminate_densely(std::span<double> columns, std::span<double> rest, std::span<double> pivots,
+                       double least) {
+  return FOAM_CHOOSE(eliminate, columns, rest, pivots, least);
+}
+
+void solve_lower(std::span<const double> columns, std::span<double> own, std::span<double> rest) {
+  FOAM_CHOOSE(lower, columns, own, rest);
+}
+
+void solve_upper(std::span<const double> columns, std::span<double> own,
+                 std::span<const double> rest) {
+  FOAM_CHOOSE(upper, columns, own, rest);
+}
+
+} // namespace foam

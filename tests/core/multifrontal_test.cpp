@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The factorisation of a foam's Newton matrix against dense linear algebra.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <numeric>
+#include <random>
+
+#include "algebra/conjugate_residuals.h"
+#include "algebra/dense_elimination.h"
+#include "equilibrium/nested_dissection.h"
+#include "equilibrium/newton_matrix.h"
+#include "foams.h"
+
+namespace foam {
+namespace {
+
+/// A region's Newton matrix, and the same as a dense one.
+struct System {
+  System(const Foam& foam, Region of, bool keep_angles) : region(std::move(of)) {
+    std::vector<char> keep(region.films.size(), keep_angles ? 1 : 0);
+    matrix.set_up(foam, region, keep);
+    EXPECT_TRUE(matrix.assemble(foam, region, 0).empty());
+    const auto size = matrix.unknowns().count();
+    const std::vector<double> diagonal = matrix.diagonal();
+    dense = Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
+    for (const FilmShare& share : matrix.shares()) {
+      const double* value = share.value.data();
+      for (std::size_t row = 0; row < 7; ++row) {
+        for (std::size_t column = 0; column <= row; ++column, ++value) {
+          const Index u = share.unknown[row];
+          const Index v = share.unknown[column];
+          if (u != kNone && v != kNone) {
+            dense(u, v) += *value;
+            if (row != column) {
+              dense(v, u) += *value;
+            }
+          }
+        }
+      }
+    }
+  }
+
+  EliminationTree tree(const Foam& foam) const {
+    return nested_dissection(foam, region, matrix.unknowns());
+  }
+
+  Region region;
+  NewtonMatrix matrix;
+  Eigen::MatrixXd dense;
+};
+
+Eigen::VectorXd some_load(Eigen::Index size) {
+  return Eigen::VectorXd::LinSpaced(size, 0, 10).array().cos();
+}
+
+void expect_solved(const Foam& foam, const Region& region, bool keep_angles) {
+  const System system(foam, region, keep_angles);
+  MultifrontalSolver solver;
+  solver.analyse(system.tree(foam), system.matrix.shares());
+  const Index negative = solver.factorise(system.matrix.shares(), system.matrix.diagonal());
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> exact(system.dense, Eigen::EigenvaluesOnly);
+  EXPECT_EQ(negative, (exact.eigenvalues().array() < 0).count());
+  const Eigen::VectorXd load = some_load(system.dense.rows());
+  Eigen::VectorXd solution = load;
+  solver.solve({solution.data(), static_cast<std::size_t>(solution.size())});
+  const double scale = system.dense.cwiseAbs().maxCoeff() * solution.cwiseAbs().maxCoeff();
+  EXPECT_LT((system.dense * solution - load).cwiseAbs().maxCoeff(), 1e-9 * scale);
+}
+
+class MultifrontalOfAnyBoundary : public testing::TestWithParam<Boundary> {};
+
+TEST_P(MultifrontalOfAnyBoundary, SolvesWhatDenseAlgebraSolvesAndHasItsInertia) {
+  const Foam foam = test::random_foam(90, GetParam());
+  for (const bool keep_angles : {false, true}) {
+    expect_solved(foam, whole_foam(foam), keep_angles || GetParam() == Boundary::Free);
+    for (const int rings : {0, 1, 2}) { // with films whose ends are held between bubbles
+      expect_solved(foam, patch(foam, std::array<Index, 2>{20, 70}, rings), true);
+    }
+  }
+}
+
+/// Unknowns of one film are eliminated one above the other in the tree, so that different branches
+/// share no equation.
+TEST_P(MultifrontalOfAnyBoundary, BranchesShareNoEquation) {
+  const Foam foam = test::random_foam(300, GetParam());
+  const System system(foam, whole_foam(foam), true);
+  const EliminationTree tree = system.tree(foam);
+
+  std::vector<Index> sorted = tree.order;
+  std::ranges::sort(sorted);
+  std::vector<Index> all(sorted.size());
+  std::iota(all.begin(), all.end(), 0);
+  ASSERT_EQ(sorted, all);
+  std::vector<Index> node_of(sorted.size(), kNone);
+  std::vector<Index> parent(tree.nodes.size(), kNone);
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    for (Index i = tree.nodes[n].begin; i < tree.nodes[n].end; ++i) {
+      node_of[Foam::size(tree.order[Foam::size(i)])] = static_cast<Index>(n);
+    }
+    for (const Index child : tree.nodes[n].children) {
+      if (child != kNone) {
+        EXPECT_LT(child, static_cast<Index>(n));
+        EXPECT_EQ(parent[Foam::size(child)], kNone);
+        parent[Foam::size(child)] = static_cast<Index>(n);
+      }
+    }
+  }
+  const auto above = [&](Index upper, Index lower) {
+    while (lower != kNone && lower != upper) {
+      lower = parent[Foam::size(lower)];
+    }
+    return lower == upper;
+  };
+  for (const FilmShare& share : system.matrix.shares()) {
+    for (const Index u : share.unknown) {
+      for (const Index v : share.unknown) {
+        if (u != kNone && v != kNone) {
+          const Index p = node_of[Foam::size(u)];
+          const Index q = node_of[Foam::size(v)];
+          EXPECT_TRUE(above(p, q) || above(q, p)) << u << ' ' << v;
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Boundaries, MultifrontalOfAnyBoundary,
+                         testing::Values(Boundary::Free, Boundary::Periodic, Boundary::Fixed));
+
+TEST(Multifrontal, GivesTheSameBitsForAnyNumberOfThreads) {
+  const Foam foam = test::random_foam(4000, Boundary::Periodic);
+  NewtonMatrix matrix;
+  const Region region = whole_foam(foam);
+  matrix.set_up(foam, region, std::vector<char>(region.films.size(), 0));
+  matrix.assemble(foam, region, 0);
+  std::vector<double> first;
+  for (const int threads : {1, 2, 5}) {
+    MultifrontalSolver solver(threads);
+    solver.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
+    EXPECT_EQ(solver.factorise(matrix.shares(), matrix.diagonal()), 4000);
+    std::vector<double> solution(Foam::size(matrix.unknowns().count()), 1.0);
+    solver.solve(solution);
+    if (first.empty()) {
+      first = solution;
+    }
+    EXPECT_EQ(solution, first) << threads;
+  }
+}
+
+TEST(Multifrontal, RefusesAMatrixThatIsSingular) {
+  const Foam foam = test::random_foam(20, Boundary::Periodic);
+  const System system(foam, whole_foam(foam), false);
+  MultifrontalSolver solver;
+  solver.analyse(system.tree(foam), system.matrix.shares());
+  const std::vector<double> nothing(Foam::size(system.matrix.unknowns().count()), 0.0);
+  std::vector<FilmShare> shares(system.matrix.shares().begin(), system.matrix.shares().end());
+  for (FilmShare& share : shares) {
+    share.value.fill(0);
+  }
+  EXPECT_EQ(solver.factorise(shares, nothing), -1);
+}
+
+/// K = L·D·Lᵀ put together again, for sizes around those of tiles and blocks.
+TEST(DenseElimination, LeavesFactorsAndTheSchurComplement) {
+  std::mt19937_64 generator(1);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  for (const Eigen::Index size : {1, 5, 8, 47, 100, 333}) {
+    for (const Eigen::Index count : {Eigen::Index{0}, size / 3, size}) {
+      Eigen::MatrixXd k =
+          Eigen::MatrixXd::NullaryExpr(size, size, [&] { return entry(generator); });
+      k = (k + k.transpose()).eval();
+      for (Eigen::Index i = 0; i < size; ++i) {
+        k(i, i) = (i % 3 == 0 ? -2.0 : 2.0) * static_cast<double>(size);
+      }
+      const Eigen::Index left = size - count;
+      Eigen::MatrixXd columns = k.leftCols(count);
+      Eigen::MatrixXd rest = k.bottomRightCorner(left, left);
+      Eigen::VectorXd pivots(count);
+      ASSERT_TRUE(eliminate_densely({columns.data(), static_cast<std::size_t>(columns.size())},
+                                    {rest.data(), static_cast<std::size_t>(rest.size())},
+                                    {pivots.data(), static_cast<std::size_t>(count)}, 1e-10));
+      Eigen::MatrixXd l = columns;
+      l.topRows(count) = l.topRows(count).triangularView<Eigen::UnitLower>();
+      Eigen::MatrixXd again = l * pivots.asDiagonal() * l.transpose();
+      again.bottomRightCorner(left, left) += rest.selfadjointView<Eigen::Lower>();
+      const double error = (again - k).cwiseAbs().maxCoeff();
+      EXPECT_LT(error, 1e-13 * k.cwiseAbs().maxCoeff()) << size << ' ' << count;
+    }
+  }
+}
+
+TEST(DenseElimination, RefusesASmallPivot) {
+  std::vector<double> columns{1e-12, 1, 1, 1};
+  std::vector<double> pivots(2);
+  EXPECT_FALSE(eliminate_densely(columns, {}, pivots, 1e-10));
+}
+
+/// An indefinite system whose preconditioner is wrong in three entries is solved in four steps.
+TEST(ConjugateResiduals, NeedOneDirectionForEachKindOfError) {
+  const std::vector<double> k{1, -2, 3, 4, -5, 6, 7, 8};
+  const std::vector<double> load{1, 1, 1, 1, 1, 1, 1, 1};
+  const std::vector<double> weight(8, 1.0);
+  std::vector<double> x(8, 0.0);
+  std::vector<double> rest = load;
+  int steps = 0;
+  const bool solved = conjugate_residuals(
+      std::span<double>(x), rest, weight,
+      [&](std::span<const double> z, std::span<double> from) {
+        for (std::size_t i = 0; i < 8; ++i) {
+          from[i] -= k[i] * z[i];
+        }
+      },
+      [&](std::span<double> z) {
+        ++steps;
+        for (std::size_t i = 0; i < 8; ++i) {
+          z[i] *= (i == 2 ? 2.0 : i == 5 ? 0.5 : i == 6 ? 3.0 : 1.0) / k[i];
+        }
+      },
+      [](std::span<const double> left) {
+        return std::ranges::all_of(left, [](double r) { return std::abs(r) < 1e-12; });
+      },
+      4);
+  EXPECT_TRUE(solved);
+  EXPECT_EQ(steps, 4);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(x[i], 1 / k[i], 1e-12);
+  }
+}
+
+} // namespace
+} // namespace foam

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #define FOAM_INLINE inline __attribute__((always_inline))
@@ -157,51 +158,96 @@ FOAM_INLINE bool eliminate(std::span<double> columns, std::span<double> rest,
   return true;
 }
 
-/// to −= factor·from.
-FOAM_INLINE void subtract(double factor, const double* from, std::size_t size, double* to) {
-  for (std::size_t i = 0; i < size; ++i) {
-    to[i] -= factor * from[i];
-  }
-}
-
-FOAM_INLINE double product(const double* a, const double* b, std::size_t size) {
+/// Products of `columns` columns, one after the other in memory, with one vector, in `result`.
+template <std::size_t columns>
+FOAM_INLINE void products(const double* first, std::size_t stride, const double* with,
+                          std::size_t size, double* result) {
   constexpr std::size_t width = sizeof(Pack) / sizeof(double);
-  Pack sums{};
+  Pack sums[columns] = {};
   std::size_t i = 0;
   for (; i + width <= size; i += width) {
     Pack x;
-    Pack y;
-    std::memcpy(&x, a + i, sizeof x);
-    std::memcpy(&y, b + i, sizeof y);
-    sums += x * y;
+    std::memcpy(&x, with + i, sizeof x);
+    for (std::size_t k = 0; k < columns; ++k) {
+      Pack y;
+      std::memcpy(&y, first + k * stride + i, sizeof y);
+      sums[k] += x * y;
+    }
   }
-  double sum = 0;
-  for (; i < size; ++i) {
-    sum += a[i] * b[i];
+  for (std::size_t k = 0; k < columns; ++k) {
+    double sum = 0;
+    for (std::size_t j = i; j < size; ++j) {
+      sum += first[k * stride + j] * with[j];
+    }
+    for (std::size_t j = 0; j < width; ++j) {
+      sum += sums[k][j];
+    }
+    result[k] = sum;
   }
-  for (std::size_t k = 0; k < width; ++k) {
-    sum += sums[k];
-  }
-  return sum;
 }
+
+/// to −= Σ factor·column, of `columns` columns.
+template <std::size_t columns>
+FOAM_INLINE void subtract_columns(const double* first, std::size_t stride, const double* factor,
+                                  std::size_t size, double* to) {
+  for (std::size_t i = 0; i < size; ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < columns; ++k) {
+      sum += factor[k] * first[k * stride + i];
+    }
+    to[i] -= sum;
+  }
+}
+
+constexpr std::size_t kTogether = 4; // columns that share the loading of a vector
 
 FOAM_INLINE void lower(std::span<const double> columns, std::span<double> own,
                        std::span<double> rest) {
   const std::size_t count = own.size();
-  const double* column = columns.data();
-  for (std::size_t k = 0; k < count; ++k, column += count + rest.size()) {
-    subtract(own[k], column + k + 1, count - k - 1, own.data() + k + 1);
-    subtract(own[k], column + count, rest.size(), rest.data());
+  const std::size_t size = count + rest.size();
+  const auto column = [&](std::size_t k) { return columns.data() + k * size; };
+  std::size_t k = 0;
+  for (; k + kTogether <= count; k += kTogether) {
+    const std::size_t next = k + kTogether;
+    for (std::size_t i = k; i < next; ++i) {
+      subtract_columns<1>(column(i) + i + 1, size, &own[i], next - i - 1, own.data() + i + 1);
+    }
+    subtract_columns<kTogether>(column(k) + next, size, &own[k], count - next, own.data() + next);
+    subtract_columns<kTogether>(column(k) + count, size, &own[k], rest.size(), rest.data());
+  }
+  for (; k < count; ++k) {
+    subtract_columns<1>(column(k) + k + 1, size, &own[k], count - k - 1, own.data() + k + 1);
+    subtract_columns<1>(column(k) + count, size, &own[k], rest.size(), rest.data());
   }
 }
 
 FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
                        std::span<const double> rest) {
   const std::size_t count = own.size();
-  for (std::size_t k = count; k-- > 0;) {
-    const double* const column = columns.data() + k * (count + rest.size());
-    own[k] -= product(column + count, rest.data(), rest.size()) +
-              product(column + k + 1, own.data() + k + 1, count - k - 1);
+  const std::size_t size = count + rest.size();
+  const auto column = [&](std::size_t k) { return columns.data() + k * size; };
+  double sums[kTogether];
+  std::size_t k = count;
+  for (; k % kTogether != 0; --k) {
+    products<1>(column(k - 1) + k, size, own.data() + k, count - k, sums);
+    own[k - 1] -= sums[0];
+    products<1>(column(k - 1) + count, size, rest.data(), rest.size(), sums);
+    own[k - 1] -= sums[0];
+  }
+  for (; k > 0; k -= kTogether) {
+    const std::size_t first = k - kTogether;
+    for (const auto& [from, with] :
+         {std::pair{k, std::span<const double>(own).subspan(k)}, std::pair{count, rest}}) {
+      products<kTogether>(column(first) + from, size, with.data(), with.size(), sums);
+      for (std::size_t j = 0; j < kTogether; ++j) {
+        own[first + j] -= sums[j];
+      }
+    }
+    for (std::size_t i = k - 1; i > first; --i) {
+      for (std::size_t j = first; j < i; ++j) {
+        own[j] -= column(j)[i] * own[i];
+      }
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "algebra/conjugate_residuals.h"
 #include "equilibrium/film_lagrangian.h"
+#include "parallel/host.h"
 
 namespace foam {
 namespace {
@@ -69,27 +70,33 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
   const double tension = 2 * foam.surface_tension;
   gradient_.assign(Foam::size(matrix_.unknowns().count()), 0.0);
   angle_gradient_.assign(region_.films.size(), 0.0);
-  Residual residual;
-  for (std::size_t i = 0; i < region_.films.size(); ++i) {
-    const Index f = region_.films[i];
-    const Vec2 chord = foam.chord(2 * f);
-    const double alpha = foam.half_angle(2 * f);
-    const double q = foam.pressure_of(foam.left(2 * f)) - foam.pressure_of(foam.right(2 * f));
+  std::vector<std::array<double, 4>> ends(region_.films.size());
+  std::vector<double> curvature(region_.films.size());
+  Host().for_each(static_cast<Index>(region_.films.size()), [&](Index place) {
+    const auto i = Foam::size(place);
+    const Index h = 2 * region_.films[i];
+    const Vec2 chord = foam.chord(h);
+    const double alpha = foam.half_angle(h);
+    const double q = foam.pressure_of(foam.left(h)) - foam.pressure_of(foam.right(h));
     const double d = norm(chord);
     const FilmForces forces = film_forces(chord, (1 / d) * chord, d, arc_shape(alpha), q, tension);
+    ends[i] = forces.ends;
+    angle_gradient_[i] = forces.angle;
+    curvature[i] = std::abs(2 * std::sin(alpha) - q * d / tension);
+  });
+  Residual residual;
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
     const std::array<Index, 7> unknown = matrix_.film_unknowns(i);
     for (std::size_t k = 0; k < 4; ++k) {
       if (unknown[k] != kNone) {
-        gradient_[Foam::size(unknown[k])] += forces.ends[k];
+        gradient_[Foam::size(unknown[k])] += ends[i][k];
       }
     }
     const Index kept = unknown[FilmLagrangian::kAngle];
     if (kept != kNone) {
-      gradient_[Foam::size(kept)] = forces.angle;
+      gradient_[Foam::size(kept)] = angle_gradient_[i];
     }
-    angle_gradient_[i] = forces.angle;
-    residual.curvature =
-        std::max(residual.curvature, std::abs(2 * std::sin(alpha) - q * d / tension));
+    residual.curvature = std::max(residual.curvature, curvature[i]);
   }
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
     residual.force =

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "parallel/host.h"
+
 namespace foam {
 namespace {
 
@@ -51,9 +53,13 @@ void NewtonMatrix::set_up(const Foam& foam, const Region& region,
 
 std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& region,
                                                 double shift) {
+  std::vector<char> safe(films_.size());
+  Host().for_each(static_cast<Index>(films_.size()), [&](Index i) {
+    safe[Foam::size(i)] = assemble_film(foam, region, Foam::size(i), shift) ? 1 : 0;
+  });
   std::vector<std::size_t> unsafe;
   for (std::size_t i = 0; i < films_.size(); ++i) {
-    if (!assemble_film(foam, region, i, shift)) {
+    if (!safe[i]) {
       unsafe.push_back(i);
     }
   }

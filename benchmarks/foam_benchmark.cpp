@@ -7,11 +7,12 @@
 //                                            equilibrium; the start also as a Surface Evolver file
 //   foam_benchmark steps N COUNT             such a foam coarsened, areas + 0.01(n − 6) at mean
 //   area 1 foam_benchmark frames N COUNT TOLERANCE  a periodic foam of the thesis's scale,
-//   coarsened with its
-//                                            constants
+//   coarsened with
+//                                            its constants
 //   foam_benchmark thesis                    the thesis's test: 2,000 bubbles, 1,000 frames
 //   foam_benchmark build N                   a mesh from N random points
-#include <sys/resource.h>
+//   foam_benchmark memory N                  what a coarsening foam and its factorisation take
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +30,8 @@
 
 #include "build/from_points.h"
 #include "build/jittered_grid.h"
+#include "equilibrium/nested_dissection.h"
+#include "equilibrium/newton_matrix.h"
 #include "evolution/coarsening.h"
 #include "evolution/diffusion.h"
 
@@ -69,10 +72,23 @@ private:
   std::ostringstream text_;
 };
 
+/// Of this program, by Linux's account.
 double peak_memory_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word == "VmHWM:") {
+      double kib = 0;
+      status >> kib;
+      return kib / 1024;
+    }
+  }
+  return std::nan("");
+}
+
+/// What has been allocated and not given back, bytes.
+double allocated() {
+  const auto state = mallinfo2();
+  return static_cast<double>(state.uordblks + state.hblkhd);
 }
 
 std::vector<Vec2> random_points(Index count, double side) {
@@ -195,18 +211,23 @@ void time_steps(Index bubbles, int count) {
   time_frames("steps", std::move(foam), options, count, whole);
 }
 
-/// The thesis's constants (its Figure 4.19) at the scale of its large foams.
-void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundary, int count,
-                        double tolerance) {
+/// At the scale of the thesis's large foams, not in equilibrium.
+Foam thesis_foam(Index bubbles, Boundary boundary) {
   constexpr double kSpacing = 4.4; // cm
-  const Stopwatch whole;
   BuildOptions build;
   build.boundary = boundary;
   if (boundary == Boundary::Periodic) {
     const double side = kSpacing * std::ceil(std::sqrt(bubbles));
     build.periodic_box = Box{0, side, 0, side};
   }
-  Foam foam = build_from_points(jittered_grid(bubbles, kSpacing, 1, 1), build);
+  return build_from_points(jittered_grid(bubbles, kSpacing, 1, 1), build);
+}
+
+/// With the thesis's constants (its Figure 4.19).
+void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundary, int count,
+                        double tolerance) {
+  const Stopwatch whole;
+  Foam foam = thesis_foam(bubbles, boundary);
   CoarseningOptions options;
   options.equilibrator.tolerance = tolerance;
   make_equilibrator(options.equilibrator)->equilibrate(foam, options.thresholds.t1_length, {});
@@ -231,6 +252,32 @@ void time_build(Index points) {
   }
 }
 
+/// A coarsening foam, and a linear system like the one that it keeps: matrix and factorisation.
+void measure_memory(Index bubbles) {
+  const double before = allocated();
+  auto coarsening = make_coarsening({});
+  coarsening->restart(thesis_foam(bubbles, Boundary::Periodic));
+  for (int frame = 0; frame < 3 && coarsening->advance({}); ++frame) {
+  }
+  const double whole = allocated() - before;
+
+  const Foam& foam = coarsening->foam();
+  const Region region = whole_foam(foam);
+  const double without = allocated();
+  NewtonMatrix matrix;
+  matrix.set_up(foam, region, std::vector<char>(region.films.size(), 0));
+  matrix.assemble(foam, region, 0);
+  MultifrontalSolver solver;
+  solver.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
+  solver.factorise(matrix.shares(), matrix.diagonal());
+  const double system = allocated() - without;
+  Record("memory")
+      .add("bubbles", foam.bubble_count())
+      .add("bytes_per_bubble", whole / foam.bubble_count())
+      .add("system_bytes_per_bubble", system / foam.bubble_count())
+      .print();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -249,6 +296,8 @@ int main(int argc, char** argv) {
       time_thesis_frames(work, 2000, Boundary::Free, 1000, 1e-9);
     } else if (work == "build") {
       time_build(count(1));
+    } else if (work == "memory") {
+      measure_memory(count(1));
     } else {
       throw std::invalid_argument("there is no work named " + work);
     }

@@ -34,7 +34,7 @@ bool conjugate_residuals(std::span<double> x, std::vector<double>& rest,
   };
   struct Direction {
     std::vector<double> step, effect; ///< z, −K·z
-    double norm2;                     ///< of the effect
+    double norm2 = 0;                 ///< of the effect
   };
   std::vector<Direction> directions;
   while (!small(rest)) {

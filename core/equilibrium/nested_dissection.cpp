@@ -11,6 +11,7 @@ namespace {
 // Places are nodes of a binary tree, numbered from the root, 1; those below p are 2p and 2p + 1.
 using Place = std::uint32_t;
 constexpr Place kNowhere = 0;
+constexpr Place kRoot = 1;
 
 constexpr std::size_t kLeafJunctions = 3; // so many or fewer are not halved any more
 constexpr int kLevelsInOneNode = 2;       // at the bottom: smaller nodes are not worth it
@@ -37,14 +38,14 @@ Place upper(Place a, Place b) {
 
 struct Point {
   Vec2 position;
-  Index junction;
+  std::size_t unknown; ///< the first of the junction's two
 };
 
 /// Gives every point a leaf.
 void halve(std::span<Point> points, Place place, int levels, std::vector<Place>& leaf) {
   if (levels == 0) {
     for (const Point& p : points) {
-      leaf[Foam::size(p.junction)] = place;
+      leaf[p.unknown] = place;
     }
     return;
   }
@@ -59,7 +60,7 @@ void halve(std::span<Point> points, Place place, int levels, std::vector<Place>&
   std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(half), points.end(),
                    [along](const Point& p, const Point& q) {
                      return p.position.*along < q.position.*along ||
-                            (p.position.*along == q.position.*along && p.junction < q.junction);
+                            (p.position.*along == q.position.*along && p.unknown < q.unknown);
                    });
   halve(points.first(half), 2 * place, levels - 1, leaf);
   halve(points.subspan(half), 2 * place + 1, levels - 1, leaf);
@@ -71,61 +72,48 @@ std::vector<Place> places_of(const Foam& foam, const Region& region, const Unkno
   std::vector<Point> points;
   points.reserve(region.junctions.size());
   for (const Index j : region.junctions) {
-    points.push_back({foam.position[Foam::size(j)], j});
+    points.push_back({foam.position[Foam::size(j)], Foam::size(unknowns.junction(j))});
   }
-  std::vector<Place> leaf(foam.position.size(), kNowhere);
-  halve(points, 1, levels, leaf);
+  std::vector<Place> leaf(Foam::size(unknowns.count()), kNowhere);
+  halve(points, kRoot, levels, leaf);
 
-  std::vector<Place> junctions = leaf;
-  std::vector<Place> bubbles(foam.pressure.size(), kNowhere);
+  std::vector<Place> places = leaf;
+  const auto at = [](std::vector<Place>& where, Index unknown) {
+    return unknown == kNone ? kNowhere : where[Foam::size(unknown)];
+  };
+  const auto raise = [&](Index unknown, Place place) {
+    if (unknown != kNone) {
+      places[Foam::size(unknown)] = place;
+    }
+  };
+  std::vector<std::array<Index, 7>> films;
   for (const Index f : region.films) {
-    const auto a = Foam::size(foam.start(2 * f));
-    const auto b = Foam::size(foam.end(2 * f));
-    const Place cut = common(leaf[a], leaf[b]);
-    for (const Index bubble : {foam.left(2 * f), foam.right(2 * f)}) {
-      if (unknowns.bubble(bubble) != kNone) {
-        Place& place = bubbles[Foam::size(bubble)];
-        place = common(place, cut);
-      }
-    }
-    if (junctions[a] > cut && junctions[b] > cut) {
-      junctions[a] = cut;
+    const auto& [a, a_y, b, b_y, left, right, angle] =
+        films.emplace_back(unknowns.of_film(foam, f));
+    const Place cut = common(at(leaf, a), at(leaf, b));
+    raise(left, common(at(places, left), cut));
+    raise(right, common(at(places, right), cut));
+    if (at(places, a) > cut && at(places, b) > cut) {
+      raise(a, cut);
     }
   }
-  for (const Index b : region.bubbles) {
-    Place& place = bubbles[Foam::size(b)];
-    place = place == kNowhere ? 1 : place;
+  for (Index pressure = unknowns.first_pressure(); pressure < unknowns.first_angle(); ++pressure) {
+    raise(pressure, std::max(at(places, pressure), kRoot)); // no junction of it moves
   }
-  for (const Index f : region.films) { // between bubbles that share no junction that moves
-    const Place left = unknowns.bubble(foam.left(2 * f)) == kNone
-                           ? kNowhere
-                           : bubbles[Foam::size(foam.left(2 * f))];
-    const Place right = unknowns.bubble(foam.right(2 * f)) == kNone
-                            ? kNowhere
-                            : bubbles[Foam::size(foam.right(2 * f))];
-    const Place both = common(left, right);
-    if (left > both && right > both) {
-      bubbles[Foam::size(foam.left(2 * f))] = both;
+  for (const auto& [a, a_y, b, b_y, left, right, angle] : films) {
+    raise(a_y, at(places, a));
+    raise(b_y, at(places, b));
+    const Place both = common(at(places, left), at(places, right));
+    if (at(places, left) > both && at(places, right) > both) { // they share no junction that moves
+      raise(left, both);
     }
   }
-
-  std::vector<Place> places(Foam::size(unknowns.count()));
-  for (const Index j : region.junctions) {
-    const auto u = Foam::size(unknowns.junction(j));
-    places[u] = places[u + 1] = junctions[Foam::size(j)];
-  }
-  for (const Index b : region.bubbles) {
-    places[Foam::size(unknowns.bubble(b))] = bubbles[Foam::size(b)];
-  }
-  for (const Index f : region.films) {
-    const std::array<Index, 7> film = unknowns.of_film(foam, f);
-    if (film.back() != kNone) {
-      Place place = kNowhere;
-      for (const Index u : std::span(film).first(6)) {
-        place = upper(place, u == kNone ? kNowhere : places[Foam::size(u)]);
-      }
-      places[Foam::size(film.back())] = place;
+  for (const std::array<Index, 7>& film : films) {
+    Place place = kNowhere;
+    for (const Index u : std::span(film).first(6)) {
+      place = upper(place, at(places, u));
     }
+    raise(film.back(), place);
   }
   return places;
 }
@@ -159,7 +147,7 @@ EliminationTree nested_dissection(const Foam& foam, const Region& region,
     ++count[place >> std::max(level(place) - node_levels, 0)];
   }
   std::vector<Place> nodes;
-  for (Place place = 1; place < count.size(); ++place) {
+  for (Place place = kRoot; place < count.size(); ++place) {
     nodes.push_back(place);
   }
   std::ranges::sort(nodes, {}, [&](Place place) { return rank(place, node_levels); });
@@ -168,7 +156,7 @@ EliminationTree nested_dissection(const Foam& foam, const Region& region,
   for (const Place place : nodes) {
     number[place] = static_cast<Index>(tree.nodes.size());
     EliminationTree::Node node{begin, begin + count[place], {kNone, kNone}};
-    if (2 * place + 1 < number.size()) {
+    if (place < number.size() / 2) {
       node.children = {number[2 * place], number[2 * place + 1]};
     }
     begin = node.end;

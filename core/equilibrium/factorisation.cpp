@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "equilibrium/nested_dissection.h"
 
@@ -38,9 +39,12 @@ bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMa
     translation_ = translation(region, matrix.unknowns(), unknowns_);
     topology_ = foam.topology;
   }
+  std::vector<Index> bubbles = changed_bubbles(foam, region);
+  if (patch_ && patch_->topology == foam.topology && patch_->bubbles == bubbles) {
+    return true;
+  }
   patch_.reset();
-  const std::vector<Index> bubbles = changed_bubbles(foam, region);
-  return bubbles.empty() || make_patch(foam, region, bubbles, matrix);
+  return bubbles.empty() || make_patch(foam, region, std::move(bubbles), matrix);
 }
 
 Factorisation::Film Factorisation::film_of(const Foam& foam, Index film) {
@@ -71,8 +75,8 @@ std::vector<Index> Factorisation::changed_bubbles(const Foam& foam, const Region
 }
 
 /// \returns false if the patch is too large or singular.
-bool Factorisation::make_patch(const Foam& foam, const Region& region,
-                               std::span<const Index> bubbles, const NewtonMatrix& matrix) {
+bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vector<Index> bubbles,
+                               const NewtonMatrix& matrix) {
   const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
   if (static_cast<double>(bubbles.size()) > most) {
     return false;
@@ -82,6 +86,8 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region,
     return false;
   }
   Patch& made = patch_.emplace();
+  made.topology = foam.topology;
+  made.bubbles = std::move(bubbles);
   std::vector<char> keep_angle;
   for (const Index f : around.films) {
     keep_angle.push_back(keeps_angle(f) ? 1 : 0);

@@ -44,6 +44,8 @@ private:
   };
   /// Around the films that have changed.
   struct Patch {
+    std::uint64_t topology = 0;
+    std::vector<Index> bubbles; ///< at those films
     NewtonMatrix matrix;
     MultifrontalSolver solver;
     std::vector<Index> rows;                   ///< its unknowns' numbers in the whole matrix
@@ -52,7 +54,7 @@ private:
   static Film film_of(const Foam& foam, Index film);
   bool changed(const Foam& foam, Index film) const;
   std::vector<Index> changed_bubbles(const Foam& foam, const Region& region) const;
-  bool make_patch(const Foam& foam, const Region& region, std::span<const Index> bubbles,
+  bool make_patch(const Foam& foam, const Region& region, std::vector<Index> bubbles,
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;

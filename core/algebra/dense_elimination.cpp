@@ -251,51 +251,40 @@ FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
   }
 }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2"))) void lower_avx2(std::span<const double> columns,
-                                                std::span<double> own, std::span<double> rest) {
-  lower(columns, own, rest);
-}
+/// The three for one kind of processor.
+#define FOAM_DEFINE(kind)                                                                          \
+  bool eliminate_##kind(std::span<double> columns, std::span<double> rest,                         \
+                        std::span<double> pivots, double least) {                                  \
+    return eliminate(columns, rest, pivots, least);                                                \
+  }                                                                                                \
+  void lower_##kind(std::span<const double> columns, std::span<double> own,                        \
+                    std::span<double> rest) {                                                      \
+    lower(columns, own, rest);                                                                     \
+  }                                                                                                \
+  void upper_##kind(std::span<const double> columns, std::span<double> own,                        \
+                    std::span<const double> rest) {                                                \
+    upper(columns, own, rest);                                                                     \
+  }
 
-__attribute__((target("avx2"))) void
-upper_avx2(std::span<const double> columns, std::span<double> own, std::span<const double> rest) {
-  upper(columns, own, rest);
-}
-
-__attribute__((target("avx2"))) bool eliminate_avx2(std::span<double> columns,
-                                                    std::span<double> rest,
-                                                    std::span<double> pivots, double least) {
-  return eliminate(columns, rest, pivots, least);
-}
-
-__attribute__((target("avx512f"))) void
-lower_avx512(std::span<const double> columns, std::span<double> own, std::span<double> rest) {
-  lower(columns, own, rest);
-}
-
-__attribute__((target("avx512f"))) void
-upper_avx512(std::span<const double> columns, std::span<double> own, std::span<const double> rest) {
-  upper(columns, own, rest);
-}
-
-__attribute__((target("avx512f"))) bool eliminate_avx512(std::span<double> columns,
-                                                         std::span<double> rest,
-                                                         std::span<double> pivots, double least) {
-  return eliminate(columns, rest, pivots, least);
-}
-#endif
-
-} // namespace
-
-// As the processor's vectors are.
-#if defined(__x86_64__)
+FOAM_DEFINE(any)
+#if defined(__x86_64__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC target("avx2")
+FOAM_DEFINE(avx2)
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+FOAM_DEFINE(avx512)
+#pragma GCC pop_options
 #define FOAM_CHOOSE(function, ...)                                                                 \
   (__builtin_cpu_supports("avx512f") ? function##_avx512(__VA_ARGS__)                              \
    : __builtin_cpu_supports("avx2")  ? function##_avx2(__VA_ARGS__)                                \
-                                     : function(__VA_ARGS__))
+                                     : function##_any(__VA_ARGS__))
 #else
-#define FOAM_CHOOSE(function, ...) function(__VA_ARGS__)
+#define FOAM_CHOOSE(function, ...) function##_any(__VA_ARGS__)
 #endif
+
+} // namespace
 
 bool eliminate_densely(std::span<double> columns, std::span<double> rest, std::span<double> pivots,
                        double least) {

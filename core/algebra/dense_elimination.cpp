@@ -16,13 +16,22 @@
 namespace foam {
 namespace {
 
-using Pack = double __attribute__((vector_size(64))); // of consecutive rows
+// Consecutive rows, as many as a processor's registers hold; the methods are templates of it.
+using Pack2 = double __attribute__((vector_size(16)));
+using Pack4 = double __attribute__((vector_size(32)));
+using Pack8 = double __attribute__((vector_size(64)));
 
 constexpr std::size_t kTileRows = 8;
 constexpr std::size_t kTileColumns = 6;
 constexpr std::size_t kDepth = 256; // pivots at a time, so that the copies stay in the cache
 constexpr std::size_t kRows = 96;   // rows at a time, likewise
 constexpr std::size_t kBlock = 16;  // pivots that are eliminated one by one
+
+template <class Pack> constexpr std::size_t kWidth = sizeof(Pack) / sizeof(double);
+
+template <class Pack> FOAM_INLINE void load(const double* from, Pack& pack) {
+  std::memcpy(&pack, from, sizeof pack);
+}
 
 /// A matrix in memory, column by column.
 struct Block {
@@ -52,19 +61,26 @@ FOAM_INLINE void copy_rows(const Block& block, std::size_t begin, const Factor& 
 }
 
 /// tile = A·Bᵀ of copied rows.
+template <class Pack>
 FOAM_INLINE void multiply_tile(const double* a, const double* b, std::size_t depth, double* tile) {
-  Pack sums[kTileColumns] = {};
+  constexpr std::size_t packs = kTileRows / kWidth<Pack>;
+  Pack sums[kTileColumns][packs] = {};
   for (std::size_t k = 0; k < depth; ++k) {
-    Pack rows;
-    std::memcpy(&rows, a + k * kTileRows, sizeof rows);
+    Pack rows[packs];
+    for (std::size_t i = 0; i < packs; ++i) {
+      load(a + k * kTileRows + i * kWidth<Pack>, rows[i]);
+    }
     for (std::size_t j = 0; j < kTileColumns; ++j) {
-      sums[j] += rows * b[k * kTileColumns + j];
+      for (std::size_t i = 0; i < packs; ++i) {
+        sums[j][i] += rows[i] * b[k * kTileColumns + j];
+      }
     }
   }
   std::memcpy(tile, sums, sizeof sums);
 }
 
 /// C −= L·D·Mᵀ on and below the diagonal of C, and a little above it, M being the first rows of L.
+template <class Pack>
 FOAM_INLINE void subtract_product(const Block& l, const double* d, const Block& c) {
   thread_local std::vector<double> a_copy(kRows * kDepth);
   thread_local std::vector<double> b_copy;
@@ -89,8 +105,8 @@ FOAM_INLINE void subtract_product(const Block& l, const double* d, const Block& 
         const std::size_t right = std::min(left + kTileColumns, c.columns);
         for (std::size_t row = std::max(top, left / kTileRows * kTileRows); row < bottom;
              row += kTileRows) {
-          alignas(Pack) double sums[kTileRows * kTileColumns];
-          multiply_tile(&a_copy[(row - top) * depth], &b_copy[left * depth], depth, sums);
+          alignas(Pack8) double sums[kTileRows * kTileColumns];
+          multiply_tile<Pack>(&a_copy[(row - top) * depth], &b_copy[left * depth], depth, sums);
           const std::size_t height = std::min(kTileRows, c.rows - row);
           for (std::size_t j = left; j < right; ++j) {
             double* const entries = c.column(j) + row;
@@ -129,6 +145,7 @@ FOAM_INLINE bool eliminate_columns(const Block& block, double* pivots, double le
   return true;
 }
 
+template <class Pack>
 FOAM_INLINE bool eliminate(std::span<double> columns, std::span<double> rest,
                            std::span<double> pivots, double least) {
   const std::size_t count = pivots.size();
@@ -146,32 +163,34 @@ FOAM_INLINE bool eliminate(std::span<double> columns, std::span<double> rest,
     }
     const std::size_t next = k + width;
     if (next < count) {
-      subtract_product({&columns[k * size + next], size - next, width, size}, &pivots[k],
-                       from(next, count - next));
+      subtract_product<Pack>({&columns[k * size + next], size - next, width, size}, &pivots[k],
+                             from(next, count - next));
     }
   }
   if (count < size) {
     const std::size_t left = size - count;
-    subtract_product({&columns[count], left, count, size}, pivots.data(),
-                     {rest.data(), left, left, left});
+    subtract_product<Pack>({&columns[count], left, count, size}, pivots.data(),
+                           {rest.data(), left, left, left});
   }
   return true;
 }
 
 /// Products of `columns` columns, one after the other in memory, with one vector, in `result`.
-template <std::size_t columns>
+template <class Pack, std::size_t columns>
 FOAM_INLINE void products(const double* first, std::size_t stride, const double* with,
                           std::size_t size, double* result) {
-  constexpr std::size_t width = sizeof(Pack) / sizeof(double);
-  Pack sums[columns] = {};
+  constexpr std::size_t packs = kTileRows / kWidth<Pack>;
+  Pack sums[columns][packs] = {};
   std::size_t i = 0;
-  for (; i + width <= size; i += width) {
-    Pack x;
-    std::memcpy(&x, with + i, sizeof x);
-    for (std::size_t k = 0; k < columns; ++k) {
-      Pack y;
-      std::memcpy(&y, first + k * stride + i, sizeof y);
-      sums[k] += x * y;
+  for (; i + kTileRows <= size; i += kTileRows) {
+    for (std::size_t p = 0; p < packs; ++p) {
+      Pack x;
+      load(with + i + p * kWidth<Pack>, x);
+      for (std::size_t k = 0; k < columns; ++k) {
+        Pack y;
+        load(first + k * stride + i + p * kWidth<Pack>, y);
+        sums[k][p] += x * y;
+      }
     }
   }
   for (std::size_t k = 0; k < columns; ++k) {
@@ -179,8 +198,10 @@ FOAM_INLINE void products(const double* first, std::size_t stride, const double*
     for (std::size_t j = i; j < size; ++j) {
       sum += first[k * stride + j] * with[j];
     }
-    for (std::size_t j = 0; j < width; ++j) {
-      sum += sums[k][j];
+    double partial[kTileRows];
+    std::memcpy(partial, sums[k], sizeof partial);
+    for (const double part : partial) {
+      sum += part;
     }
     result[k] = sum;
   }
@@ -221,6 +242,7 @@ FOAM_INLINE void lower(std::span<const double> columns, std::span<double> own,
   }
 }
 
+template <class Pack>
 FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
                        std::span<const double> rest) {
   const std::size_t count = own.size();
@@ -229,16 +251,16 @@ FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
   double sums[kTogether];
   std::size_t k = count;
   for (; k % kTogether != 0; --k) {
-    products<1>(column(k - 1) + k, size, own.data() + k, count - k, sums);
+    products<Pack, 1>(column(k - 1) + k, size, own.data() + k, count - k, sums);
     own[k - 1] -= sums[0];
-    products<1>(column(k - 1) + count, size, rest.data(), rest.size(), sums);
+    products<Pack, 1>(column(k - 1) + count, size, rest.data(), rest.size(), sums);
     own[k - 1] -= sums[0];
   }
   for (; k > 0; k -= kTogether) {
     const std::size_t first = k - kTogether;
     for (const auto& [from, with] :
          {std::pair{k, std::span<const double>(own).subspan(k)}, std::pair{count, rest}}) {
-      products<kTogether>(column(first) + from, size, with.data(), with.size(), sums);
+      products<Pack, kTogether>(column(first) + from, size, with.data(), with.size(), sums);
       for (std::size_t j = 0; j < kTogether; ++j) {
         own[first + j] -= sums[j];
       }
@@ -252,10 +274,10 @@ FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
 }
 
 /// The three for one kind of processor.
-#define FOAM_DEFINE(kind)                                                                          \
+#define FOAM_DEFINE(kind, Pack)                                                                    \
   bool eliminate_##kind(std::span<double> columns, std::span<double> rest,                         \
                         std::span<double> pivots, double least) {                                  \
-    return eliminate(columns, rest, pivots, least);                                                \
+    return eliminate<Pack>(columns, rest, pivots, least);                                          \
   }                                                                                                \
   void lower_##kind(std::span<const double> columns, std::span<double> own,                        \
                     std::span<double> rest) {                                                      \
@@ -263,18 +285,18 @@ FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
   }                                                                                                \
   void upper_##kind(std::span<const double> columns, std::span<double> own,                        \
                     std::span<const double> rest) {                                                \
-    upper(columns, own, rest);                                                                     \
+    upper<Pack>(columns, own, rest);                                                               \
   }
 
-FOAM_DEFINE(any)
+FOAM_DEFINE(any, Pack2)
 #if defined(__x86_64__) && !defined(__clang__)
 #pragma GCC push_options
 #pragma GCC target("avx2")
-FOAM_DEFINE(avx2)
+FOAM_DEFINE(avx2, Pack4)
 #pragma GCC pop_options
 #pragma GCC push_options
 #pragma GCC target("avx512f")
-FOAM_DEFINE(avx512)
+FOAM_DEFINE(avx512, Pack8)
 #pragma GCC pop_options
 #define FOAM_CHOOSE(function, ...)                                                                 \
   (__builtin_cpu_supports("avx512f") ? function##_avx512(__VA_ARGS__)                              \

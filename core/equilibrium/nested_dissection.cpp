@@ -156,8 +156,9 @@ EliminationTree nested_dissection(const Foam& foam, const Region& region,
   for (const Place place : nodes) {
     number[place] = static_cast<Index>(tree.nodes.size());
     EliminationTree::Node node{begin, begin + count[place], {kNone, kNone}};
-    if (place < number.size() / 2) {
-      node.children = {number[2 * place], number[2 * place + 1]};
+    const std::size_t below = 2 * std::size_t{place};
+    if (below < number.size()) {
+      node.children = {number[below], number[below + 1]};
     }
     begin = node.end;
     tree.nodes.push_back(node);

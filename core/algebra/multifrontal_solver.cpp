@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <thread>
 
 #include "algebra/dense_elimination.h"
@@ -129,20 +130,31 @@ void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const Fi
   }
 }
 
+/// Does something with both children of a front, at the same time if it is worth it: part(child,
+/// threads).
+template <class Part>
+void MultifrontalSolver::both_children(Index front, int threads, double least,
+                                       const Part& part) const {
+  const auto [first, second] = fronts_[at(front)].node.children;
+  if (first == kNone) {
+    return;
+  }
+  if (threads > 1 && fronts_[at(front)].work > least) {
+    std::future<void> other = std::async(
+        std::launch::async, [&part, child = first, threads] { part(child, threads / 2); });
+    part(second, threads - threads / 2);
+    other.get();
+  } else {
+    part(first, 1);
+    part(second, 1);
+  }
+}
+
 /// Visits all fronts of a subtree, children before their parent.
 template <class Visit>
 void MultifrontalSolver::upwards(Index front, int threads, double least, const Visit& visit) const {
-  const auto [first, second] = fronts_[at(front)].node.children;
-  if (first != kNone) {
-    if (threads > 1 && fronts_[at(front)].work > least) {
-      const std::jthread other(
-          [&, half = threads / 2, below = first] { upwards(below, half, least, visit); });
-      upwards(second, threads - threads / 2, least, visit);
-    } else {
-      upwards(first, 1, least, visit);
-      upwards(second, 1, least, visit);
-    }
-  }
+  both_children(front, threads, least,
+                [&](Index child, int share) { upwards(child, share, least, visit); });
   visit(front);
 }
 
@@ -151,18 +163,8 @@ template <class Visit>
 void MultifrontalSolver::downwards(Index front, int threads, double least,
                                    const Visit& visit) const {
   visit(front);
-  const auto [first, second] = fronts_[at(front)].node.children;
-  if (first == kNone) {
-    return;
-  }
-  if (threads > 1 && fronts_[at(front)].work > least) {
-    const std::jthread other(
-        [&, half = threads / 2, below = first] { downwards(below, half, least, visit); });
-    downwards(second, threads - threads / 2, least, visit);
-  } else {
-    downwards(first, 1, least, visit);
-    downwards(second, 1, least, visit);
-  }
+  both_children(front, threads, least,
+                [&](Index child, int share) { downwards(child, share, least, visit); });
 }
 
 Index MultifrontalSolver::factorise(std::span<const FilmShare> shares,

@@ -63,6 +63,8 @@ private:
     Index size() const { return pivots() + static_cast<Index>(above.size()); }
   };
 
+  template <class Part>
+  void both_children(Index front, int threads, double least, const Part& part) const;
   template <class Visit>
   void upwards(Index front, int threads, double least, const Visit& visit) const;
   template <class Visit>

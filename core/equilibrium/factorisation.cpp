@@ -85,7 +85,8 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vect
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;
   }
-  Patch& made = patch_.emplace();
+  patch_ = std::make_unique<Patch>();
+  Patch& made = *patch_;
   made.topology = foam.topology;
   made.bubbles = std::move(bubbles);
   std::vector<char> keep_angle;

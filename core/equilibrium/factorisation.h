@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -62,7 +62,7 @@ private:
   std::vector<Film> films_;        ///< by film
   std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for
   std::vector<Index> translation_; ///< to unknowns_; empty while the topology is the same
-  std::optional<Patch> patch_;     ///< nothing while no film has changed
+  std::unique_ptr<Patch> patch_;   ///< nothing while no film has changed
 };
 
 } // namespace foam

@@ -17,7 +17,7 @@ constexpr std::size_t kLeafJunctions = 3; // so many or fewer are not halved any
 constexpr int kLevelsInOneNode = 2;       // at the bottom: smaller nodes are not worth it
 
 int level(Place place) {
-  return std::bit_width(place) - 1;
+  return static_cast<int>(std::bit_width(place)) - 1;
 }
 
 /// The lowest that is above both, or one of them.

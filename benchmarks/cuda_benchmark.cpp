@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "build/honeycomb.h"
 #include "evolution/coarsening.h"
@@ -30,6 +31,9 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kFrameColumns =
     "| bubbles | frames | s | frames/s | iterations of the last | residual | T1 | T2 | GiB "
     "| s to fetch |\n|--|--|--|--|--|--|--|--|--|--|\n";
+constexpr const char* kShowColumns =
+    "| bubbles | MB fetched | s to sample | by the processor | s for statistics | by the processor "
+    "| s to fetch the foam |\n|--|--|--|--|--|--|--|\n";
 constexpr const char* kCompareColumns =
     "| bubbles | frames | same operations | same lengths | largest difference at the end "
     "| s a frame, device | s a frame, processor |\n|--|--|--|--|--|--|--|\n";
@@ -157,6 +161,48 @@ template <class Make> void time_frames(const Make& make, Index columns, Index ro
             << std::endl;
 }
 
+/// Seconds of one call; the best of five.
+template <class Call> double seconds_of(const Call& call) {
+  double best = HUGE_VAL;
+  for (int i = 0; i < 5; ++i) {
+    const auto begin = Clock::now();
+    call();
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - begin).count());
+  }
+  return best;
+}
+
+template <class T> std::size_t bytes(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t bytes(const SampledFoam& sampled) {
+  const FilmPolylines& films = sampled.films;
+  const BubblePolygons& bubbles = sampled.bubbles;
+  return bytes(films.points) + bytes(films.junction_id) + bytes(films.offsets) +
+         bytes(films.connectivity) + bytes(films.left) + bytes(films.right) +
+         bytes(films.curvature) + bytes(films.pressure_difference) + bytes(films.length) +
+         bytes(films.half_angle) + bytes(films.on_boundary) + bytes(bubbles.points) +
+         bytes(bubbles.offsets) + bytes(bubbles.each);
+}
+
+/// What is shown of a frame: made on the device and fetched, beside the processor, which has to
+/// fetch the foam first.
+void time_shown_frame(Index columns, Index rows) {
+  const auto coarsening = coarsening_on(Device::CUDA, start(columns, rows));
+  advance(*coarsening, 2);
+  const std::size_t fetched = bytes(coarsening->sample(0));
+  const double sample_there = seconds_of([&] { coarsening->sample(0); });
+  const double statistics_there = seconds_of([&] { coarsening->statistics(false); });
+  const auto fetch = Clock::now();
+  const Foam& foam = coarsening->foam();
+  const double transfer = std::chrono::duration<double>(Clock::now() - fetch).count();
+  std::cout << "| " << columns * rows << " | " << static_cast<double>(fetched) / 1e6 << " | "
+            << sample_there << " | " << seconds_of([&] { sample(foam, 0); }) << " | "
+            << statistics_there << " | " << seconds_of([&] { statistics(foam, false); }) << " | "
+            << transfer << " |" << std::endl;
+}
+
 } // namespace
 } // namespace foam
 
@@ -188,6 +234,11 @@ int main(int argc, char** argv) {
   time_frames(newton, 50, 40, 100);
   time_frames(newton, 320, 312, 30);
   time_frames(newton, 1000, 1000, 10);
+  std::cout << "\n## What is shown of a frame\n\nBest of five, with the transfers.\n\n"
+            << kShowColumns;
+  time_shown_frame(50, 40);
+  time_shown_frame(320, 312);
+  time_shown_frame(1000, 1000);
   std::cout << "\n## Device and processor, the same foam\n\n"
             << "Frames from the first on in which the operations are the same, and in which all "
                "films' lengths are within 1e-8.\n\n"

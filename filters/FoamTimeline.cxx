@@ -34,20 +34,20 @@ auto values(const EquilibriumReport& report) {
   return std::tie(converged, iterations, max_angle_error, max_area_error, residual);
 }
 
+auto values(const FoamRecord& record) {
+  const auto& [boundary, box, surface_tension, time, t1_count, t2_count, t3_count, report] = record;
+  return std::tuple_cat(
+      std::tie(boundary, box, surface_tension, time, t1_count, t2_count, t3_count), values(report));
+}
+
 template <class T> bool same(const std::vector<T>& a, const std::vector<T>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const T& x, const T& y) { return values(x) == values(y); });
 }
 
 bool same(const FilmSet& a, const FilmSet& b) {
-  const auto scalars = [](const FilmSet& set) {
-    const auto& [junctions, films, bubbles, boundary, box, surface_tension, time, t1_count,
-                 t2_count, t3_count, report] = set;
-    return std::tuple_cat(
-        std::tie(junctions, boundary, box, surface_tension, time, t1_count, t2_count, t3_count),
-        values(report));
-  };
-  return scalars(a) == scalars(b) && same(a.films, b.films) && same(a.bubbles, b.bubbles);
+  return values(static_cast<const FoamRecord&>(a)) == values(static_cast<const FoamRecord&>(b)) &&
+         a.junctions == b.junctions && same(a.films, b.films) && same(a.bubbles, b.bubbles);
 }
 
 auto values(const JunctionOptions& options) {

@@ -62,8 +62,12 @@ public:
   /// Time of frame 0, s.
   double start_time() const { return start_.time; }
   int frame() const { return frame_; }
-  /// The foam of the current frame.
-  const Foam& foam() const { return last_ ? *last_ : coarsening_->foam(); }
+  /// What is known about the foam of the current frame as a whole.
+  const FoamRecord& record() const { return last_ ? *last_ : coarsening_->record(); }
+  /// The foam of the current frame as it is shown (sampling/sampled_foam.h).
+  SampledFoam sample(double chord_error) const {
+    return last_ ? foam::sample(*last_, chord_error) : coarsening_->sample(chord_error);
+  }
   /// The last frame that could be computed, once it is known: a bubble would vanish after it that
   /// cannot, as one of the last two. Later frames show its foam.
   std::optional<int> end() const { return end_; }

@@ -104,11 +104,11 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
         foam::filters::frame_times(timeline.start_time(), this->TimeStep, this->NumberOfFrames);
     this->AdvanceTo(
         RequestedFrame(times, this->TimeStep, foam::filters::requested_output(request, outputs)));
-    this->WriteOutputs(timeline.foam(), outputs);
+    this->WriteOutputs(timeline.sample(this->GetChordError()), outputs);
     for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
       vtkPolyData::GetData(outputs, i)
           ->GetInformation()
-          ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.foam().time);
+          ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.record().time);
     }
   } catch (...) {
     this->Run.reset();
@@ -180,12 +180,12 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
     return;
   }
   this->Run->CheckedFrame = timeline.frame();
-  const auto& foam = timeline.foam();
-  if (!foam.report.converged) {
-    vtkWarningMacro("Frame " << timeline.frame() << ", time " << foam.time
+  const auto& record = timeline.record();
+  if (!record.report.converged) {
+    vtkWarningMacro("Frame " << timeline.frame() << ", time " << record.time
                              << " s, is not in equilibrium: angles are off by up to "
-                             << foam.report.max_angle_error << " rad, residual "
-                             << foam.report.residual << ".");
+                             << record.report.max_angle_error << " rad, residual "
+                             << record.report.residual << ".");
   }
 }
 

@@ -68,10 +68,10 @@ void vtkFoamEquilibratingAlgorithm::CheckOutputProperties() const {
   }
 }
 
-void vtkFoamEquilibratingAlgorithm::WriteOutputs(const foam::Foam& foam,
+void vtkFoamEquilibratingAlgorithm::WriteOutputs(const foam::SampledFoam& sampled,
                                                  vtkInformationVector* outputs) {
-  foam::filters::write_foam(foam, this->ChordError, vtkPolyData::GetData(outputs, 0),
-                            vtkPolyData::GetData(outputs, 1));
+  foam::filters::write_films(sampled, vtkPolyData::GetData(outputs, 0));
+  foam::filters::write_bubbles(sampled, vtkPolyData::GetData(outputs, 1));
 }
 
 void vtkFoamEquilibratingAlgorithm::ClearOutputs(vtkInformationVector* outputs) {

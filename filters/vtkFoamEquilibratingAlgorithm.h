@@ -20,7 +20,7 @@
 #ifndef __VTK_WRAP__
 namespace foam {
 struct EquilibratorOptions;
-struct Foam;
+struct SampledFoam;
 } // namespace foam
 #endif
 
@@ -191,7 +191,7 @@ protected:
   foam::EquilibratorOptions GetEquilibratorOptions() const;
 
   /// Writes a foam to the two outputs.
-  void WriteOutputs(const foam::Foam& foam, vtkInformationVector* outputs);
+  void WriteOutputs(const foam::SampledFoam& sampled, vtkInformationVector* outputs);
 #endif
 
   /// To be asked often during long work: reports progress now and then, which gives observers the

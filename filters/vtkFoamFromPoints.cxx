@@ -20,6 +20,7 @@
 #include "PipelineRequest.h"
 #include "build/from_points.h"
 #include "equilibrium/equilibrator.h"
+#include "sampling/sampled_foam.h"
 
 vtkStandardNewMacro(vtkFoamFromPoints);
 
@@ -133,7 +134,7 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
   foam.report.max_area_error = foam::max_area_error(foam);
   foam.report.residual = Residual(foam);
   this->BringToEquilibrium(foam);
-  this->WriteOutputs(foam, outputs);
+  this->WriteOutputs(foam::sample(foam, this->GetChordError()), outputs);
 }
 
 void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {

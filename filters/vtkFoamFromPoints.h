@@ -32,6 +32,12 @@
 
 #include "vtkFoamEquilibratingAlgorithm.h"
 
+#ifndef __VTK_WRAP__
+namespace foam {
+struct Foam;
+} // namespace foam
+#endif
+
 class VTKFOAMFILTERS_EXPORT vtkFoamFromPoints : public vtkFoamEquilibratingAlgorithm {
 public:
   static vtkFoamFromPoints* New();

@@ -6,6 +6,8 @@
 #include "equilibrium/equilibrator.h"
 #include "evolution/diffusion.h"
 #include "mesh/foam.h"
+#include "sampling/sampled_foam.h"
+#include "statistics/statistics.h"
 #include "topology/thresholds.h"
 
 namespace foam {
@@ -49,6 +51,13 @@ public:
   virtual bool advance(const AbortCheck& aborted) = 0;
 
   virtual const Foam& foam() const = 0;
+
+  // Of foam(), without fetching it where it lies on a device.
+  virtual const FoamRecord& record() const { return foam(); }
+  virtual SampledFoam sample(double chord_error) { return foam::sample(foam(), chord_error); }
+  virtual FoamStatistics statistics(bool include_boundary) {
+    return foam::statistics(foam(), include_boundary);
+  }
 };
 
 /// The coarsening that goes with the equilibrator: between topological events for Newton, the

@@ -26,6 +26,12 @@ template <class Mesh> FOAM_HOST_DEVICE double angle_error(const Mesh& mesh, Inde
   return largest;
 }
 
+/// The length by which a film adds to the foam's energy (cm): none if it is gone, or a piece of the
+/// wall of a sealed container.
+template <class Mesh> FOAM_HOST_DEVICE double tense_length(const Mesh& mesh, Index film) {
+  return mesh.has_film(film) && !mesh.wall(2 * film) ? mesh.length(2 * film) : 0;
+}
+
 /// |A − A^τ|/A^τ of a bubble.
 template <class Mesh> FOAM_HOST_DEVICE double area_error(const Mesh& mesh, Index bubble) {
   const double target = mesh.target_area[Mesh::size(bubble)];

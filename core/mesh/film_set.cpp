@@ -66,14 +66,7 @@ void check_scalars(const FilmSet& set) {
 
 FilmSet film_set(const Foam& foam) {
   FilmSet set;
-  set.boundary = foam.boundary;
-  set.box = foam.box;
-  set.surface_tension = foam.surface_tension;
-  set.time = foam.time;
-  set.t1_count = foam.t1_count;
-  set.t2_count = foam.t2_count;
-  set.t3_count = foam.t3_count;
-  set.report = foam.report;
+  static_cast<FoamRecord&>(set) = foam;
 
   std::vector<Index> junction_number(foam.position.size(), kNone);
   for (Index j = 0; j < foam.junction_capacity(); ++j) {
@@ -107,14 +100,7 @@ Foam foam_of(const FilmSet& set) {
   Foam foam;
   foam.resize(static_cast<Index>(set.bubbles.size()), static_cast<Index>(set.films.size()),
               static_cast<Index>(set.junctions.size()));
-  foam.boundary = set.boundary;
-  foam.box = set.box;
-  foam.surface_tension = set.surface_tension;
-  foam.time = set.time;
-  foam.t1_count = set.t1_count;
-  foam.t2_count = set.t2_count;
-  foam.t3_count = set.t3_count;
-  foam.report = set.report;
+  static_cast<FoamRecord&>(foam) = set;
 
   std::unordered_map<std::int64_t, Index> bubble_number{{-1, kWorld}};
   for (std::size_t i = 0; i < set.bubbles.size(); ++i) {

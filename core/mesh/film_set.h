@@ -10,7 +10,7 @@ namespace foam {
 
 /// A foam as its films list it: what is written to a file and read back, without masks and without
 /// the mesh's internal order. Films and junctions are numbered from 0 in the order given here.
-struct FilmSet {
+struct FilmSet : FoamRecord {
   struct Film {
     Index start = kNone;     ///< junction
     Index end = kNone;       ///< junction
@@ -28,13 +28,6 @@ struct FilmSet {
   std::vector<Vec2> junctions; ///< cm
   std::vector<Film> films;
   std::vector<Bubble> bubbles; ///< in ascending order of id
-
-  Boundary boundary = Boundary::Free;
-  Box box;
-  double surface_tension = 0;
-  double time = 0;
-  std::int64_t t1_count = 0, t2_count = 0, t3_count = 0;
-  EquilibriumReport report;
 };
 
 /// The films of a foam, compacted. Their order is that of the foam's films.

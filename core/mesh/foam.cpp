@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "mesh/element_measures.h"
+
 namespace foam {
 
 Index Foam::bubble_count() const {
@@ -24,9 +26,7 @@ Index Foam::junction_count() const {
 double Foam::energy() const {
   double total = 0;
   for (Index f = 0; f < film_capacity(); ++f) {
-    if (has_film(f) && !wall(2 * f)) {
-      total += length(2 * f);
-    }
+    total += tense_length(*this, f);
   }
   return 2 * surface_tension * total;
 }

@@ -28,6 +28,18 @@ struct EquilibriumReport {
   double residual = 0;        ///< largest dimensionless residual of the equilibrium's equations
 };
 
+/// What is known about a foam as a whole.
+struct FoamRecord {
+  Boundary boundary = Boundary::Free;
+  Box box;                    ///< the torus; unused otherwise
+  double surface_tension = 0; ///< γ, N/cm
+  double time = 0;            ///< s
+  std::int64_t t1_count = 0;  ///< T1s so far
+  std::int64_t t2_count = 0;  ///< T2s so far
+  std::int64_t t3_count = 0;  ///< T3s so far
+  EquilibriumReport report;   ///< of the last equilibration
+};
+
 /// A two-dimensional dry foam: the dual mesh of the thesis (3.2, 4.5.2), as a structure of arrays
 /// that is allocated once; vanished elements are masked.
 ///
@@ -36,7 +48,7 @@ struct EquilibriumReport {
 /// counter-clockwise order, which makes "three films to a junction" a property of the type. A
 /// bubble knows one half-film that has it on its left; its films are visited counter-clockwise by
 /// next_in_bubble. The world is kWorld; it has no entry in the bubbles' arrays, and pressure 0.
-struct Foam : MeshAccess<Foam> {
+struct Foam : MeshAccess<Foam>, FoamRecord {
   // Bubbles.
   std::vector<Index> bubble_half;      ///< one half-film with the bubble on its left; kNone if gone
   std::vector<Index> sides;            ///< number of films
@@ -56,14 +68,6 @@ struct Foam : MeshAccess<Foam> {
   std::vector<Vec2> position;                      ///< cm
   std::vector<std::array<Index, 3>> junction_half; ///< outgoing, counter-clockwise; kNone if gone
 
-  Boundary boundary = Boundary::Free;
-  Box box;                    ///< the torus; unused otherwise
-  double surface_tension = 0; ///< γ, N/cm
-  double time = 0;            ///< s
-  std::int64_t t1_count = 0;  ///< T1s so far
-  std::int64_t t2_count = 0;  ///< T2s so far
-  std::int64_t t3_count = 0;  ///< T3s so far
-  EquilibriumReport report;   ///< of the last equilibration
   std::uint64_t topology = 0; ///< grows with every topological change
 
   Index bubble_capacity() const { return static_cast<Index>(bubble_half.size()); }

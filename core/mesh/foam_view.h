@@ -55,4 +55,9 @@ inline FoamView view_of(Foam& foam) {
   return view;
 }
 
+/// The view of a foam that is only looked at.
+inline FoamView view_of(const Foam& foam) {
+  return view_of(const_cast<Foam&>(foam));
+}
+
 } // namespace foam

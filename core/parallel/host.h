@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "mesh/elements.h"
@@ -54,6 +55,16 @@ public:
     return zero;
   }
 
+  /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]
+  /// the sum of all, which is returned. T is an integer.
+  template <class T> T sum_up(T* counts, Index size) const {
+    T sum = 0;
+    for (Index i = 0; i < size; ++i) {
+      sum += std::exchange(counts[i], sum);
+    }
+    return counts[size] = sum;
+  }
+
   /// Puts keys into ascending order.
   void sort(std::uint64_t* keys, Index size) const { std::sort(keys, keys + size); }
 
@@ -69,5 +80,11 @@ private:
   std::size_t least_per_thread_;
   std::size_t threads_;
 };
+
+/// The elements of a machine's array, in this machine's memory; an array that is there already is
+/// emptied for it.
+template <class T> std::vector<T> fetch(std::vector<T>&& array) {
+  return std::move(array);
+}
 
 } // namespace foam

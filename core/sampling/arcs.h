@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Films as polylines, whoever holds the mesh (mesh/mesh_access.h).
 #pragma once
 
-#include <vector>
-
-#include "mesh/foam.h"
+#include "mesh/mesh_access.h"
 
 namespace foam {
 
-/// Appends the points of a half-film's arc from its start, which lies at `start`, to its end: both
-/// ends and as many points between as keep the polyline within chord_error (cm) of the arc.
-void sample_arc(const Foam& foam, Index half, Vec2 start, double chord_error,
-                std::vector<Vec2>& points);
+/// Number of straight segments that keep a half-film's polyline within chord_error (cm) of its arc.
+template <class Mesh>
+FOAM_HOST_DEVICE Index film_segments(const Mesh& mesh, Index half, double chord_error) {
+  return arc_segments(norm(mesh.chord(half)), mesh.half_angle(half), chord_error);
+}
 
-/// The closed outline of a bubble, sampled like its films, counter-clockwise, in one piece also on
-/// a torus; the first point is not repeated.
-std::vector<Vec2> sample_bubble(const Foam& foam, Index bubble, double chord_error);
+/// Calls visit(point) for the points between the ends of a half-film's polyline of so many
+/// segments, at equal distances along the arc, which starts at `start` (cm).
+template <class Mesh, class Visit>
+FOAM_HOST_DEVICE void for_each_inner_point(const Mesh& mesh, Index half, Vec2 start, Index segments,
+                                           Visit&& visit) {
+  const Vec2 chord = mesh.chord(half);
+  const double alpha = mesh.half_angle(half);
+  for (Index i = 1; i < segments; ++i) {
+    visit(arc_point(start, chord, alpha, static_cast<double>(i) / segments));
+  }
+}
 
 } // namespace foam

@@ -1,63 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "statistics/statistics.h"
 
-#include <algorithm>
 #include <limits>
-#include <map>
+
+#include "parallel/host.h"
+#include "statistics/parallel_statistics.h"
 
 namespace foam {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
-double ratio(double sum, double count) {
-  return count > 0 ? sum / count : kUndefined;
-}
-
-BubbleStatistics measure(const Foam& foam, Index bubble) {
-  const auto i = Foam::size(bubble);
-  BubbleStatistics result;
-  result.id = foam.bubble_id[i];
-  result.area = foam.area(bubble);
-  result.target_area = foam.target_area[i];
-  result.pressure = foam.pressure[i];
-  result.sides = foam.sides[i];
-  for_each_half(foam, bubble, [&](Index h) { result.perimeter += foam.length(h); });
-  result.on_boundary = foam.bubble_on_world(bubble);
-  return result;
-}
-
-/// Mean number of sides of a bubble's neighbours.
-double neighbour_sides(const Foam& foam, Index bubble) {
-  double sum = 0;
-  double count = 0;
-  for_each_half(foam, bubble, [&](Index h) {
-    if (foam.right(h) != kWorld) {
-      sum += foam.sides[Foam::size(foam.right(h))];
-      ++count;
-    }
-  });
-  return ratio(sum, count);
-}
-
-/// Sums over bubbles.
-struct Sums {
-  double count = 0;
-  double sides = 0;
-  double sides_from_six_squared = 0;
-  double area = 0;
-  double area_squared = 0;
-  double neighbour_sides = 0;
-
-  void add(double n, double a, double m) {
-    ++count;
-    sides += n;
-    sides_from_six_squared += (n - 6) * (n - 6);
-    area += a;
-    area_squared += a * a;
-    neighbour_sides += m;
-  }
-};
 
 /// a of n·m(n) = (6 − a)·n + 6a + μ₂ (thesis 2.6.2) by least squares, each bubble counted once.
 double aboav_parameter(const std::vector<SideStatistics>& by_sides, double mean_sides) {
@@ -77,39 +29,41 @@ double aboav_parameter(const std::vector<SideStatistics>& by_sides, double mean_
 
 } // namespace
 
-FoamStatistics statistics(const Foam& foam, bool include_boundary) {
-  FoamStatistics result;
-  Sums all;
-  std::map<Index, Sums> with_sides;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    if (!foam.has_bubble(b)) {
-      continue;
-    }
-    const BubbleStatistics bubble = measure(foam, b);
-    result.each.push_back(bubble);
-    if (include_boundary || !bubble.on_boundary) {
-      const double m = neighbour_sides(foam, b);
-      all.add(bubble.sides, bubble.area, m);
-      with_sides[bubble.sides].add(bubble.sides, bubble.area, m);
-    }
+FoamStatistics averages(const std::vector<SideSums>& by_sides) {
+  double count = 0;
+  double sides = 0;
+  double sides_from_six_squared = 0;
+  double area = 0;
+  double area_squared = 0;
+  for (const SideSums& sums : by_sides) {
+    const double n = sums.sides;
+    count += sums.count;
+    sides += n * sums.count;
+    sides_from_six_squared += (n - 6) * (n - 6) * sums.count;
+    area += sums.area;
+    area_squared += sums.area_squared;
   }
-  std::sort(result.each.begin(), result.each.end(),
-            [](const auto& a, const auto& b) { return a.id < b.id; });
+  const auto mean = [&](double sum) { return count > 0 ? sum / count : kUndefined; };
 
-  result.bubbles = static_cast<Index>(all.count);
-  result.mean_sides = ratio(all.sides, all.count);
-  result.mu2 = ratio(all.sides_from_six_squared, all.count);
-  result.mean_area = ratio(all.area, all.count);
-  result.area_second_moment =
-      ratio(all.area_squared, all.count) / (result.mean_area * result.mean_area);
-  result.energy = foam.energy();
-  for (const auto& [n, sums] : with_sides) {
-    result.by_sides.push_back({n, static_cast<Index>(sums.count), sums.count / all.count,
+  FoamStatistics result;
+  result.bubbles = static_cast<Index>(count);
+  result.mean_sides = mean(sides);
+  result.mu2 = mean(sides_from_six_squared);
+  result.mean_area = mean(area);
+  result.area_second_moment = mean(area_squared) / (result.mean_area * result.mean_area);
+  for (const SideSums& sums : by_sides) {
+    result.by_sides.push_back({sums.sides, sums.count, sums.count / count,
                                sums.neighbour_sides / sums.count,
                                sums.area / sums.count / result.mean_area});
   }
   result.aboav = aboav_parameter(result.by_sides, result.mean_sides);
   return result;
+}
+
+FoamStatistics statistics(const Foam& foam, bool include_boundary) {
+  Host host;
+  return ParallelStatistics<Host>(host).measure(view_of(foam), BubbleNames<Host>(foam.bubble_id),
+                                                include_boundary);
 }
 
 } // namespace foam

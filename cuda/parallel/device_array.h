@@ -70,4 +70,11 @@ private:
   std::size_t capacity_ = 0;
 };
 
+/// The elements of an array, in the processor's memory (core/parallel/host.h).
+template <class T> std::vector<T> fetch(const DeviceArray<T>& array) {
+  std::vector<T> values;
+  array.download(values);
+  return values;
+}
+
 } // namespace foam::cuda

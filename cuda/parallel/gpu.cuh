@@ -3,6 +3,7 @@
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_reduce.cuh>
+#include <cub/device/device_scan.cuh>
 #include <thrust/iterator/counting_iterator.h>
 
 #include <cstddef>
@@ -22,7 +23,7 @@ template <class Kernel> __global__ void call_for_each(Index size, Kernel kernel)
 
 /// The GPU as a machine for parallel algorithms, under the names of core's Host
 /// (core/parallel/host.h). Everything runs on the default stream, one after the other; only
-/// reduce() waits for it.
+/// reduce() and sum_up() wait for it.
 class Gpu {
 public:
   template <class T> using Array = DeviceArray<T>;
@@ -54,6 +55,18 @@ public:
     T value = zero;
     check(cudaMemcpy(&value, result, sizeof(T), cudaMemcpyDeviceToHost), "cudaMemcpy");
     return value;
+  }
+
+  /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]
+  /// the sum of all, which is returned. T is an integer.
+  template <class T> T sum_up(T* counts, Index size) {
+    std::size_t bytes = 0;
+    check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, counts, size + 1), "a sum");
+    scratch_.resize(bytes);
+    check(cub::DeviceScan::ExclusiveSum(scratch_.data(), bytes, counts, size + 1), "a sum");
+    T sum = 0;
+    check(cudaMemcpy(&sum, counts + size, sizeof(T), cudaMemcpyDeviceToHost), "cudaMemcpy");
+    return sum;
   }
 
   /// Puts keys into ascending order.

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "build/jittered_grid.h"
 #include "hand_made.h"
+#include "parallel/host.h"
+#include "statistics/parallel_statistics.h"
 #include "topology/operations.h"
 
 namespace foam {
@@ -147,6 +150,58 @@ TEST(Statistics, VanishedBubblesAreLeftOutAndTheRestIsSortedById) {
   EXPECT_EQ(s.bubbles, 6);
   ASSERT_EQ(s.each.size(), 6u);
   EXPECT_TRUE(std::ranges::is_sorted(s.each, {}, &BubbleStatistics::id));
+}
+
+TEST(Statistics, DoNotDependOnTheNumberOfThreads) {
+  const Foam foam = build_from_points(jittered_grid(300, 1, 1, 1), {});
+  const auto measured = [&](int threads) {
+    Host host(threads, 16);
+    return ParallelStatistics<Host>(host).measure(view_of(foam), BubbleNames<Host>(foam.bubble_id),
+                                                  false);
+  };
+  const FoamStatistics one = measured(1);
+  for (const int threads : {2, 7}) {
+    const FoamStatistics many = measured(threads);
+    EXPECT_EQ(one.mean_area, many.mean_area);
+    EXPECT_EQ(one.area_second_moment, many.area_second_moment);
+    EXPECT_EQ(one.energy, many.energy);
+    EXPECT_EQ(one.aboav, many.aboav);
+    EXPECT_TRUE(std::ranges::equal(one.each, many.each, {}, &BubbleStatistics::perimeter,
+                                   &BubbleStatistics::perimeter));
+  }
+}
+
+/// Sums taken one after the other, over bubbles that are seen one after the other.
+TEST(Statistics, OfADisorderedFoam) {
+  const Foam foam = build_from_points(jittered_grid(300, 1, 1, 2), {});
+  const auto s = statistics(foam, false);
+  std::map<Index, std::vector<Index>> with;
+  double area = 0;
+  double area_squared = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    if (!foam.bubble_on_world(b)) {
+      with[foam.sides[Foam::size(b)]].push_back(b);
+      area += foam.area(b) / s.bubbles;
+      area_squared += foam.area(b) * foam.area(b) / s.bubbles;
+    }
+  }
+  EXPECT_NEAR(s.mean_area, area, 1e-12);
+  EXPECT_NEAR(s.area_second_moment, area_squared / (area * area), 1e-12);
+  ASSERT_EQ(s.by_sides.size(), with.size());
+  for (const auto& row : s.by_sides) {
+    const std::vector<Index>& bubbles = with.at(row.sides);
+    EXPECT_EQ(row.count, static_cast<Index>(bubbles.size()));
+    double neighbours = 0;
+    double own_area = 0;
+    for (const Index b : bubbles) {
+      own_area += foam.area(b);
+      for_each_half(foam, b, [&](Index h) { // inside: all its neighbours are bubbles
+        neighbours += static_cast<double>(foam.sides[Foam::size(foam.right(h))]) / row.sides;
+      });
+    }
+    EXPECT_NEAR(row.mean_neighbour_sides, neighbours / row.count, 1e-12);
+    EXPECT_NEAR(row.mean_relative_area, own_area / row.count / area, 1e-12);
+  }
 }
 
 } // namespace

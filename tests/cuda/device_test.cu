@@ -9,6 +9,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "build/honeycomb.h"
@@ -55,6 +56,14 @@ double largest_difference(const std::vector<Vec2>& a, const std::vector<Vec2>& b
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     largest = std::max(largest, norm(a[i] - b[i]));
+  }
+  return largest;
+}
+
+double largest_difference(const std::vector<Point3>& a, const std::vector<Point3>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1]));
   }
   return largest;
 }
@@ -124,6 +133,22 @@ void sorting() {
   there.download(fetched);
   std::sort(keys.begin(), keys.end());
   EXPECT_TRUE(fetched == keys);
+}
+
+void sums() {
+  Gpu gpu;
+  Host host;
+  for (const std::size_t n : {0, 1, 127, 128, 129, 1000000}) {
+    std::vector<std::int64_t> here(n + 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      here[i] = static_cast<std::int64_t>(i * i % 7);
+    }
+    DeviceArray<std::int64_t> there(here);
+    const auto size = static_cast<Index>(n);
+    const std::int64_t sum_there = gpu.sum_up(there.data(), size);
+    EXPECT_EQ(sum_there, host.sum_up(here.data(), size));
+    EXPECT_TRUE(fetch(there) == here);
+  }
 }
 
 void update_order() {
@@ -330,6 +355,74 @@ void equilibrator() {
   EXPECT_NEAR(largest_difference(there.position, here.position), 0, 1e-8);
 }
 
+/// A foam that has lost bubbles, on both sides.
+std::unique_ptr<Coarsening> coarsened_there() {
+  auto coarsening = make_coarsening(options_on(Device::CUDA));
+  coarsening->restart(disordered());
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_TRUE(coarsening->advance({}));
+  }
+  return coarsening;
+}
+
+void sampling() {
+  const auto coarsening = coarsened_there();
+  for (const double chord_error : {0.0, 1e-4}) {
+    const SampledFoam there = coarsening->sample(chord_error);
+    const SampledFoam here = foam::sample(coarsening->foam(), chord_error);
+    EXPECT_GT(here.films.points.size(), 5000u);
+    EXPECT_NEAR(there.energy / here.energy, 1, 1e-12);
+    EXPECT_EQ(there.record.time, here.record.time);
+    EXPECT_EQ(there.record.t1_count, here.record.t1_count);
+    EXPECT_EQ(there.films.points.size(), here.films.points.size());
+    EXPECT_NEAR(largest_difference(there.films.points, here.films.points), 0, 1e-12);
+    EXPECT_TRUE(there.films.junction_id == here.films.junction_id);
+    EXPECT_TRUE(there.films.offsets == here.films.offsets);
+    EXPECT_TRUE(there.films.connectivity == here.films.connectivity);
+    EXPECT_TRUE(there.films.left == here.films.left);
+    EXPECT_TRUE(there.films.right == here.films.right);
+    EXPECT_NEAR(largest_difference(there.films.curvature, here.films.curvature), 0, 1e-12);
+    EXPECT_TRUE(there.films.pressure_difference == here.films.pressure_difference);
+    EXPECT_NEAR(largest_difference(there.films.length, here.films.length), 0, 1e-12);
+    EXPECT_TRUE(there.films.half_angle == here.films.half_angle);
+    EXPECT_TRUE(there.films.on_boundary == here.films.on_boundary);
+    EXPECT_TRUE(there.bubbles.offsets == here.bubbles.offsets);
+    EXPECT_NEAR(largest_difference(there.bubbles.points, here.bubbles.points), 0, 1e-10);
+    EXPECT_TRUE(coarsening->sample(chord_error).films.points == there.films.points);
+  }
+}
+
+void statistics_of_bubbles() {
+  const auto coarsening = coarsened_there();
+  const FoamStatistics there = coarsening->statistics(true);
+  const FoamStatistics here = foam::statistics(coarsening->foam(), true);
+  EXPECT_GT(here.by_sides.size(), 2u);
+  EXPECT_EQ(there.bubbles, here.bubbles);
+  EXPECT_EQ(there.mean_sides, here.mean_sides);
+  EXPECT_EQ(there.mu2, here.mu2);
+  EXPECT_NEAR(there.mean_area, here.mean_area, 1e-12);
+  EXPECT_NEAR(there.area_second_moment, here.area_second_moment, 1e-12);
+  EXPECT_NEAR(there.energy / here.energy, 1, 1e-12);
+  EXPECT_NEAR(there.aboav, here.aboav, 1e-10);
+  EXPECT_EQ(there.by_sides.size(), here.by_sides.size());
+  for (std::size_t i = 0; i < here.by_sides.size(); ++i) {
+    EXPECT_EQ(there.by_sides[i].sides, here.by_sides[i].sides);
+    EXPECT_EQ(there.by_sides[i].count, here.by_sides[i].count);
+    EXPECT_NEAR(there.by_sides[i].mean_neighbour_sides, here.by_sides[i].mean_neighbour_sides,
+                1e-12);
+    EXPECT_NEAR(there.by_sides[i].mean_relative_area, here.by_sides[i].mean_relative_area, 1e-12);
+  }
+  EXPECT_EQ(there.each.size(), here.each.size());
+  for (std::size_t i = 0; i < here.each.size(); ++i) {
+    EXPECT_EQ(there.each[i].id, here.each[i].id);
+    EXPECT_EQ(there.each[i].sides, here.each[i].sides);
+    EXPECT_NEAR(there.each[i].area, here.each[i].area, 1e-12);
+    EXPECT_NEAR(there.each[i].perimeter, here.each[i].perimeter, 1e-12);
+  }
+  EXPECT_EQ(coarsening->statistics(true).mean_area, there.mean_area);
+  EXPECT_EQ(coarsening->statistics(true).energy, there.energy);
+}
+
 /// A preconditioner and a matrix of a foam's, on either machine.
 template <class Machine> class NewtonSystem {
 public:
@@ -477,6 +570,9 @@ int main(int argc, char** argv) {
       {"abort", foam::abort},
       {"equilibrator", equilibrator},
       {"sorting", sorting},
+      {"sums", sums},
+      {"sampling", sampling},
+      {"statistics", statistics_of_bubbles},
       {"newton_system", newton_system},
       {"newton_equilibrator", newton_equilibrator},
       {"newton_repetition", newton_repetition},

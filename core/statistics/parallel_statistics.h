@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A foam's statistics as reductions, on any machine (parallel/host.h).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "mesh/element_measures.h"
+#include "parallel/kernels.h"
+#include "statistics/bubble_records.h"
+#include "statistics/statistics.h"
+
+namespace foam {
+
+/// Sums over the bubbles with n sides that count in the averages.
+struct SideSums {
+  static constexpr Index kNoMore = std::numeric_limits<Index>::max();
+
+  Index sides = 0; ///< n
+  Index count = 0;
+  double area = 0;            ///< ΣA, cm²
+  double area_squared = 0;    ///< ΣA², cm⁴
+  double neighbour_sides = 0; ///< Σ of the means of each one's neighbours
+  Index next = kNoMore;       ///< the least n above this one that occurs
+};
+
+/// The figures that follow from sums: all of them but the energy and each bubble's.
+/// \param by_sides in ascending order of n.
+FoamStatistics averages(const std::vector<SideSums>& by_sides);
+
+namespace detail {
+
+/// What a bubble adds to the sums for n.
+struct AddToSides {
+  FoamView mesh;
+  const Index* bubbles = nullptr;
+  const BubbleStatistics* records = nullptr;
+  bool include_boundary = false;
+  Index sides = 0; ///< n
+
+  FOAM_HOST_DEVICE SideSums operator()(Index i) const {
+    const BubbleStatistics& bubble = records[i];
+    SideSums sums;
+    sums.sides = sides;
+    if (!include_boundary && bubble.on_boundary) {
+      return sums;
+    }
+    if (bubble.sides == sides) {
+      sums.count = 1;
+      sums.area = bubble.area;
+      sums.area_squared = bubble.area * bubble.area;
+      sums.neighbour_sides = mean_neighbour_sides(bubbles[i]);
+    } else if (bubble.sides > sides) {
+      sums.next = bubble.sides;
+    }
+    return sums;
+  }
+
+  /// NaN without neighbours.
+  FOAM_HOST_DEVICE double mean_neighbour_sides(Index bubble) const {
+    double sum = 0;
+    double count = 0;
+    for_each_half(mesh, bubble, [&](Index h) {
+      if (mesh.right(h) != kWorld) {
+        sum += mesh.sides[mesh.right(h)];
+        ++count;
+      }
+    });
+    return sum / count;
+  }
+};
+
+struct AddSums {
+  FOAM_HOST_DEVICE SideSums operator()(const SideSums& a, const SideSums& b) const {
+    return {a.sides,
+            a.count + b.count,
+            a.area + b.area,
+            a.area_squared + b.area_squared,
+            a.neighbour_sides + b.neighbour_sides,
+            std::min(a.next, b.next)};
+  }
+};
+
+struct TenseLength {
+  FoamView mesh;
+
+  FOAM_HOST_DEVICE double operator()(Index film) const { return tense_length(mesh, film); }
+};
+
+} // namespace detail
+
+/// Film energy 2γ·Σl, N (Foam::energy).
+template <class Machine> double film_energy(Machine& machine, const FoamView& mesh) {
+  return 2 * mesh.surface_tension *
+         machine.reduce(mesh.films, 0.0, detail::TenseLength{mesh}, parallel::Add{});
+}
+
+template <class Machine> class ParallelStatistics {
+public:
+  explicit ParallelStatistics(Machine& machine) : machine_(machine), records_(machine) {}
+
+  /// statistics() of the foam: one reduction over the bubbles for each n that occurs.
+  FoamStatistics measure(const FoamView& mesh, const BubbleNames<Machine>& names,
+                         bool include_boundary) {
+    records_.measure(mesh, names);
+    const auto sums_with = [&](Index n) {
+      SideSums zero;
+      zero.sides = n;
+      return machine_.reduce(
+          records_.count(), zero,
+          detail::AddToSides{mesh, records_.bubbles(), records_.records(), include_boundary, n},
+          detail::AddSums{});
+    };
+    std::vector<SideSums> by_sides;
+    for (Index n = sums_with(0).next; n != SideSums::kNoMore; n = by_sides.back().next) {
+      by_sides.push_back(sums_with(n));
+    }
+    FoamStatistics result = averages(by_sides);
+    result.energy = film_energy(machine_, mesh);
+    result.each = records_.fetch_records();
+    return result;
+  }
+
+private:
+  Machine& machine_;
+  BubbleRecords<Machine> records_;
+};
+
+} // namespace foam

@@ -384,6 +384,7 @@ public:
     machine_.for_each(mesh.bubbles, TakePressureBlock{matrix, bulk_.data(), pressure_.data()});
     solid_ = {matrix, across_.data(), bulk_.data(), squeeze_.data()};
     prepare(solid_, fine_, mesh.junctions);
+    find_largest(solid_, fine_);
     make_grids(units);
   }
 
@@ -432,6 +433,9 @@ private:
   static constexpr double kRatio = 4;     // … for so large a part of the spectrum
   static constexpr int kCoarsestSteps = 16;
   static constexpr double kCoarsestRatio = 80;
+  /// An element's matrix is at most four times its corners' own blocks (Cauchy and Schwarz), and so
+  /// is their sum. So many steps would go astray where an eigenvalue was beyond an estimate.
+  static constexpr double kLargestOfElements = 4;
 
   void before_row(const GridMatrix& /*matrix*/, const double* /*x*/) {}
   void before_row(const detail::Solid& solid, const double* x) {
@@ -452,7 +456,12 @@ private:
     s.d.resize(2 * static_cast<std::size_t>(size));
     zero_.resize(std::max(zero_.size(), 2 * static_cast<std::size_t>(size)));
     machine_.for_each(size, InvertDiagonal<Matrix>{matrix, s.inverse.data()});
-    // Power iteration: x ← D⁻¹·M·x, with −M·x from residual().
+  }
+
+  /// Power iteration: x ← D⁻¹·M·x, with −M·x from residual().
+  template <class Matrix> void find_largest(const Matrix& matrix, Smoother& s) {
+    using namespace detail;
+    const Index size = s.size;
     trial_.resize(2 * static_cast<std::size_t>(size));
     double* const x = trial_.data();
     double* const r = s.r.data();
@@ -578,13 +587,16 @@ private:
                       AssembleElement{solid_, units, lists(), first.element.data()});
     prepare(first.matrix(), first.smoother, finest.nodes());
     while (levels_[used_ - 1].grid.can_be_coarsened()) {
-      const std::size_t fine = used_ - 1;
-      Level& coarse = use_level(levels_[fine].grid.coarsened());
-      machine_.for_each(CoarsenElement::size(coarse.grid),
-                        CoarsenElement{levels_[fine].grid, coarse.grid,
-                                       levels_[fine].element.data(), coarse.element.data()});
-      prepare(coarse.matrix(), coarse.smoother, coarse.grid.nodes());
+      Level& fine = levels_[used_ - 1];
+      find_largest(fine.matrix(), fine.smoother);
+      const Grid grid = fine.grid.coarsened();
+      Level& coarse = use_level(grid);
+      machine_.for_each(CoarsenElement::size(grid),
+                        CoarsenElement{levels_[used_ - 2].grid, grid,
+                                       levels_[used_ - 2].element.data(), coarse.element.data()});
+      prepare(coarse.matrix(), coarse.smoother, grid.nodes());
     }
+    levels_[used_ - 1].smoother.largest = kLargestOfElements;
   }
 
   Machine& machine_;

@@ -138,6 +138,29 @@ struct TotalDisplacement {
   }
 };
 
+struct TotalPosition {
+  FoamView mesh;
+
+  FOAM_HOST_DEVICE Total operator()(Index junction) const {
+    return moves(mesh, junction) ? Total{mesh.position[junction], 1} : Total{};
+  }
+};
+
+/// In x the moment of all displacements about a centre, in y the moment of inertia.
+struct TotalMoment {
+  FoamView mesh;
+  Vec2 centre;
+  const double* vector = nullptr;
+
+  FOAM_HOST_DEVICE Total operator()(Index junction) const {
+    if (!moves(mesh, junction)) {
+      return {};
+    }
+    const Vec2 r = mesh.position[junction] - centre;
+    return {{cross(r, displacement(vector, junction)), dot(r, r)}, 1};
+  }
+};
+
 struct ShiftPressure {
   FoamView mesh;
   double by = 0;
@@ -150,14 +173,19 @@ struct ShiftPressure {
   }
 };
 
-struct ShiftJunction {
+/// Takes a rigid motion out of all displacements.
+struct HoldJunction {
   FoamView mesh;
-  Vec2 by;
+  Vec2 translation;
+  double rotation = 0;
+  Vec2 centre; ///< of the rotation, cm
   double* vector = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index junction) const {
     if (moves(mesh, junction)) {
-      set_displacement(vector, junction, displacement(vector, junction) + by);
+      const Vec2 r = mesh.position[junction] - centre;
+      const Vec2 rigid = translation + rotation * left_normal(r);
+      set_displacement(vector, junction, displacement(vector, junction) - rigid);
     }
   }
 };
@@ -521,17 +549,27 @@ private:
   }
 
   /// Takes out of the solution what costs nothing: in a closed container only differences of
-  /// pressure act, and nothing but a wall holds a foam in its place.
+  /// pressure act, and nothing but a wall holds a foam in its place, and a torus in its direction.
   void remove_gauges(const FoamView& mesh) {
     using namespace detail;
+    double* const x = solution_.data();
     if (mesh.boundary != Boundary::Free) {
-      level_pressures(mesh, solution_.data());
+      level_pressures(mesh, x);
     }
-    if (mesh.boundary != Boundary::Fixed) {
-      const Total total = machine_.reduce(
-          mesh.junctions, Total{}, TotalDisplacement{mesh, solution_.data()}, parallel::Add{});
-      machine_.for_each(mesh.junctions, ShiftJunction{mesh, -total.mean(), solution_.data()});
+    if (mesh.boundary == Boundary::Fixed) {
+      return;
     }
+    HoldJunction hold{mesh, sum_junctions(mesh, TotalDisplacement{mesh, x}).mean(), 0, {}, x};
+    if (mesh.boundary == Boundary::Free) {
+      hold.centre = sum_junctions(mesh, TotalPosition{mesh}).mean();
+      const Vec2 moment = sum_junctions(mesh, TotalMoment{mesh, hold.centre, x}).sum;
+      hold.rotation = moment.x / moment.y;
+    }
+    machine_.for_each(mesh.junctions, hold);
+  }
+
+  template <class Map> detail::Total sum_junctions(const FoamView& mesh, const Map& map) {
+    return machine_.reduce(mesh.junctions, detail::Total{}, map, parallel::Add{});
   }
 
   void walk(const FoamView& mesh, double fraction) {

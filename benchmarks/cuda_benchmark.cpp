@@ -19,9 +19,6 @@
 
 #include "build/honeycomb.h"
 #include "evolution/coarsening.h"
-#include "evolution/cuda_frame_coarsening.h"
-#include "evolution/parallel_frame.h"
-#include "parallel/host.h"
 
 namespace foam {
 namespace {
@@ -54,42 +51,16 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
   return coarsening;
 }
 
-/// Frames with Newton's equilibria. The T1 length and the T2 area are so large that bubbles lose
-/// their sides, and vanish, before a frame takes more gas than they have.
-CoarseningOptions newton_frames(double tolerance) {
+/// Frames with Newton's method, and the thesis's thresholds.
+std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam) {
   CoarseningOptions options;
-  options.thresholds.t1_length = 0.2;
-  options.thresholds.t2_area = 0.06;
+  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.equilibrator.device = device;
   options.equilibrator.tolerance = tolerance;
-  return options;
-}
-
-std::unique_ptr<Coarsening> newton_on_device(double tolerance, Foam foam) {
-  auto coarsening = cuda::make_frame_coarsening(newton_frames(tolerance));
+  auto coarsening = make_coarsening(options);
   coarsening->restart(std::move(foam));
   return coarsening;
 }
-
-/// The same frames on the processor.
-class NewtonOnProcessor final : public Coarsening {
-public:
-  NewtonOnProcessor(double tolerance, Foam foam)
-      : frame_(host_, newton_frames(tolerance)), foam_(std::move(foam)) {}
-
-  void restart(Foam foam) override { foam_ = std::move(foam); }
-  bool advance(const AbortCheck& aborted) override {
-    const FrameResult result = frame_.advance(view_of(foam_), aborted);
-    count(foam_, result.operations);
-    foam_.report = result.report;
-    return result.performed;
-  }
-  const Foam& foam() const override { return foam_; }
-
-private:
-  Host host_;
-  ParallelFrame<Host> frame_;
-  Foam foam_;
-};
 
 /// Seconds for some frames. \throws FoamError if the foam cannot go on for so long.
 double advance(Coarsening& coarsening, int frames) {
@@ -230,7 +201,7 @@ int main(int argc, char** argv) {
   time_frames(thesis, 320, 312, 100);
   time_frames(thesis, 1000, 1000, 20);
   std::cout << "\n## The same with Newton's method to a residual of 1e-5\n\n" << kFrameColumns;
-  const auto newton = [](Foam foam) { return newton_on_device(1e-5, std::move(foam)); };
+  const auto newton = [](Foam foam) { return newton_on(Device::CUDA, 1e-5, std::move(foam)); };
   time_frames(newton, 50, 40, 100);
   time_frames(newton, 320, 312, 30);
   time_frames(newton, 1000, 1000, 10);
@@ -251,8 +222,8 @@ int main(int argc, char** argv) {
   compare_thesis(320, 312);
   std::cout << "\n## The same with Newton's method to a residual of 1e-10\n\n" << kCompareColumns;
   const auto compare_newton = [](Index columns, Index rows, int frames) {
-    compare(newton_on_device(1e-10, start(columns, rows)),
-            std::make_unique<NewtonOnProcessor>(1e-10, start(columns, rows)), frames);
+    compare(newton_on(Device::CUDA, 1e-10, start(columns, rows)),
+            newton_on(Device::CPU, 1e-10, start(columns, rows)), frames);
   };
   compare_newton(50, 40, 100);
   compare_newton(320, 312, 10);

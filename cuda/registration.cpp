@@ -7,6 +7,7 @@
 
 #include "equilibrium/cuda_newton_equilibrator.h"
 #include "evolution/cuda_frame_coarsening.h"
+#include "evolution/cuda_newton_frame_coarsening.h"
 #include "junction/cuda_junction_equilibrator.h"
 
 namespace foam::cuda {
@@ -31,8 +32,14 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
                                                   : make_junction_equilibrator(options);
 }
 
+std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
+  return options.equilibrator.kind == EquilibratorKind::Newton
+             ? make_newton_frame_coarsening(options)
+             : make_frame_coarsening(options);
+}
+
 [[maybe_unused]] const bool registered = [] {
-  register_cuda({unavailable, make_equilibrator, make_frame_coarsening});
+  register_cuda({unavailable, make_equilibrator, make_coarsening});
   return true;
 }();
 

@@ -109,11 +109,13 @@ public:
 
   ///@{
   /**
-   * Equilibrator Junction: the order of the topological operations in a frame. Final (default)
-   * follows every cascade (thesis Figure 4.8); the two before it are there for comparison: Original
+   * The order of the topological operations in a frame of Equilibrator Junction. Final (default)
+   * follows every cascade (thesis Figure 4.8); the two after it are there for comparison: Original
    * walks over the junctions once and equilibrates those where nothing gives way (Figure 4.4),
    * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6). Bidding
    * carries out many operations at once, where they do not meet; a GPU computes this one alone.
+   * With Equilibrator Newton Bidding goes in fixed steps; with the others it steps from event to
+   * event, on the CPU alone.
    */
   vtkSetClampMacro(TopologicalAlgorithm, int, Final, Bidding);
   vtkGetMacro(TopologicalAlgorithm, int);

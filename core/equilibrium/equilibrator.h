@@ -81,6 +81,9 @@ public:
   virtual void forget() = 0;
 };
 
+/// \throws FoamError for options out of range that any equilibrator has.
+void check_options(const EquilibratorOptions& options);
+
 /// \throws FoamError for options out of range, or a device that is not there.
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options);
 

@@ -7,7 +7,8 @@
 #include "parallel/accelerator.h"
 
 namespace foam {
-std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
+
+void check_options(const EquilibratorOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
     throw FoamError("Tolerance must be positive, but is " + number(options.tolerance));
   }
@@ -15,6 +16,10 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
     throw FoamError("MaximumIterations must be at least 1, but is " +
                     std::to_string(options.maximum_iterations));
   }
+}
+
+std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
+  check_options(options);
   if (const Accelerator* const accelerator =
           accelerator_for(options.device, accelerator_obstacle(options))) {
     return accelerator->make_equilibrator(options);

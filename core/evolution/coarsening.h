@@ -17,7 +17,7 @@ enum class TwoSidedBubbles {
   Slide   ///< it slides to the nearest corner and becomes three-sided (thesis 3.6.1)
 };
 
-/// In which order the thesis's frame performs its topological operations (thesis 4.3).
+/// In which order a frame performs its topological operations (thesis 4.3).
 enum class TopologicalAlgorithm {
   Final,    ///< Figure 4.8, which follows every cascade
   Original, ///< Figure 4.4, a walk over the junctions that is the frame's first sweep as well
@@ -30,7 +30,7 @@ struct CoarseningOptions {
   double permeability = 1;     ///< κ, cm²/s in the thesis's units, ≥ 0
   ThresholdOptions thresholds;
   TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
-  TopologicalAlgorithm topological_algorithm = TopologicalAlgorithm::Final; ///< Junction alone
+  TopologicalAlgorithm topological_algorithm = TopologicalAlgorithm::Final; ///< of frames
   EquilibratorOptions equilibrator;
 };
 
@@ -60,9 +60,10 @@ public:
   }
 };
 
-/// The coarsening that goes with the equilibrator: between topological events for Newton, the
-/// thesis's frame (Figures 3.13 and 4.8) for Junction.
-/// \throws FoamError for options out of range.
+/// The coarsening that goes with the equilibrator: for Junction the thesis's frame (Figures 3.13
+/// and 4.8); for Newton from one topological event to the next or, with
+/// TopologicalAlgorithm::Bidding, in fixed steps with all events of a step at once, as on a GPU.
+/// \throws FoamError for options out of range, or a device that is not there.
 std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options);
 
 } // namespace foam

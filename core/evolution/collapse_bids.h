@@ -48,9 +48,9 @@ FOAM_HOST_DEVICE inline Touched around_two_sided(const FoamView& mesh, Index bub
 
 /// T1, T2 and T3. Bubbles come before films, small before large. As in the thesis's final algorithm
 /// (4.3), a film that has been swapped is swapped again only if a bubble beside it has vanished
-/// since, so that there is an end.
-struct CollapseBids {
-  ThesisRules rules;
+/// since, so that there is an end. \tparam Rules as ThesisRules
+template <class Rules> struct CollapseBids {
+  Rules rules;
   std::uint8_t* swappable = nullptr; ///< of a film: not swapped yet; all 1 in the beginning
 
   /// Bubbles first, then films.
@@ -64,13 +64,12 @@ struct CollapseBids {
           mesh.has_bubble(i) &&
           (can_perform_t2(mesh, i) || (can_perform_t3(mesh, i) && !rules.slides(mesh, i))) &&
           rules.vanishes(mesh, i);
-      return gives_way ? bid_key(false, std::max(ThesisRules::bubble_size(mesh, i), 0.0), i)
-                       : kNoBid;
+      return gives_way ? bid_key(false, std::max(Rules::bubble_size(mesh, i), 0.0), i) : kNoBid;
     }
     const Index film = i - mesh.bubbles;
     const bool gives_way = mesh.has_film(film) && swappable[film] && rules.shrunk(mesh, film) &&
                            can_perform_t1(mesh, film);
-    return gives_way ? bid_key(true, ThesisRules::film_size(mesh, film), film) : kNoBid;
+    return gives_way ? bid_key(true, Rules::film_size(mesh, film), film) : kNoBid;
   }
 
   FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index i) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "equilibrium/film_step.h"
+#include "evolution/newton_rules.h"
 #include "mesh/validate.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
@@ -20,14 +21,11 @@ namespace {
 constexpr double kReached = 1e-9;            // relative slack of a threshold that has been met
 constexpr double kFinestStep = 1.0 / 64;     // of a time step, towards a predicted T1
 constexpr double kFinestStrain = 1.0 / 4096; // of a time step, from one renewal to the next
-constexpr double kSmallestArea = 1e-6;   // of the mean area: no bubble gets smaller, no T2 area is
-constexpr double kRemnantArea = 1e-4;    // of the mean area: with more than three sides, none does
-constexpr double kSmallestLength = 1e-3; // of the mean spacing: no T1 length is shorter
-constexpr double kLargestChange = 0.25;  // of a chord or an area before the response is renewed
-constexpr double kCarefulTolerance = 1e-6; // of a careful frame's equilibria between events
-constexpr int kEvents = 1024;              // in a frame,
-constexpr int kEventsPerBubble = 16;       // and so many more for every bubble
-constexpr int kRings = 3;                  // around an event that its operations look at
+constexpr double kLargestChange = 0.25;      // of a chord or an area before the response is renewed
+constexpr double kCarefulTolerance = 1e-6;   // of a careful frame's equilibria between events
+constexpr int kEvents = 1024;                // in a frame,
+constexpr int kEventsPerBubble = 16;         // and so many more for every bubble
+constexpr int kRings = 3;                    // around an event that its operations look at
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
 /// bubble cannot well spare one.
@@ -100,10 +98,8 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   careful_ = careful;
   now_ = 0;
   const double spacing = foam_.mean_spacing();
-  limit_ = thresholds(foam_, options_.thresholds);
-  limit_.t1_length = std::max(limit_.t1_length, kSmallestLength * spacing);
+  limit_ = newton_thresholds(thresholds(foam_, options_.thresholds), spacing);
   smallest_area_ = kSmallestArea * spacing * spacing;
-  limit_.t2_area = std::max(limit_.t2_area, smallest_area_);
 
   predict_whole();
   queue_.clear(foam_);

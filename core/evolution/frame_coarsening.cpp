@@ -50,7 +50,7 @@ void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
   Host host;
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
   const OperationCount performed =
-      Bidding<Host>(host).run(view_of(foam), CollapseBids{rules, swappable.data()});
+      Bidding<Host>(host).run(view_of(foam), CollapseBids<ThesisRules>{rules, swappable.data()});
   count(foam, performed);
 }
 

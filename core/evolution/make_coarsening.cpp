@@ -3,6 +3,7 @@
 
 #include "evolution/event_coarsening.h"
 #include "evolution/frame_coarsening.h"
+#include "evolution/newton_frame_coarsening.h"
 #include "mesh/number.h"
 #include "parallel/accelerator.h"
 
@@ -24,15 +25,18 @@ std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
   require(t.t1_length >= 0, "T1Length", "at least 0", t.t1_length);
   require(t.t2_area >= 0, "T2Area", "at least 0", t.t2_area);
   require(t.alpha > 0, "Alpha", "positive", t.alpha);
+  check_options(options.equilibrator);
   if (const Accelerator* const accelerator =
           accelerator_for(options.equilibrator.device, accelerator_obstacle(options))) {
     return accelerator->make_coarsening(options);
   }
-  make_equilibrator(options.equilibrator); // checks its options
-  if (options.equilibrator.kind == EquilibratorKind::Newton) {
-    return std::make_unique<EventCoarsening>(options);
+  if (options.equilibrator.kind == EquilibratorKind::Junction) {
+    return std::make_unique<FrameCoarsening>(options);
   }
-  return std::make_unique<FrameCoarsening>(options);
+  if (options.topological_algorithm == TopologicalAlgorithm::Bidding) {
+    return std::make_unique<NewtonFrameCoarsening>(options);
+  }
+  return std::make_unique<EventCoarsening>(options);
 }
 
 } // namespace foam

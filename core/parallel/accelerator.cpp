@@ -64,14 +64,14 @@ std::string accelerator_obstacle(const EquilibratorOptions& options) {
 }
 
 std::string accelerator_obstacle(const CoarseningOptions& options) {
-  if (options.equilibrator.kind == EquilibratorKind::Newton) {
-    return "Equilibrator = Newton steps from one topological event to the next on the CPU alone";
+  const bool newton = options.equilibrator.kind == EquilibratorKind::Newton;
+  if (options.topological_algorithm != TopologicalAlgorithm::Bidding) {
+    return newton
+               ? "Equilibrator = Newton steps from one topological event to the next on the CPU "
+                 "alone; with TopologicalAlgorithm = Bidding it goes in fixed steps, there as well"
+               : "of the TopologicalAlgorithms only Bidding is computed there";
   }
-  std::string obstacle = accelerator_obstacle(options.equilibrator);
-  if (obstacle.empty() && options.topological_algorithm != TopologicalAlgorithm::Bidding) {
-    return "of the TopologicalAlgorithms only Bidding is computed there";
-  }
-  return obstacle;
+  return newton ? "" : accelerator_obstacle(options.equilibrator);
 }
 
 } // namespace foam

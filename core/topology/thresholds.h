@@ -2,6 +2,8 @@
 #pragma once
 
 #include "mesh/foam.h"
+#include "mesh/foam_view.h"
+#include "parallel/kernels.h"
 
 namespace foam {
 
@@ -26,5 +28,28 @@ Thresholds thresholds(const Foam& foam, const ThresholdOptions& options);
 
 /// The same from A_total (cm²) and m.
 Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options);
+
+namespace detail {
+
+struct IsJunction {
+  FoamView mesh;
+
+  FOAM_HOST_DEVICE Index operator()(Index junction) const {
+    return mesh.has_junction(junction) ? 1 : 0;
+  }
+};
+
+} // namespace detail
+
+/// The same for a foam on a machine (parallel/host.h), from A_total (cm²).
+template <class Machine>
+Thresholds thresholds(Machine& machine, const FoamView& mesh, double total_area,
+                      const ThresholdOptions& options) {
+  const Index junctions =
+      options.relative
+          ? machine.reduce(mesh.junctions, Index{0}, detail::IsJunction{mesh}, parallel::Add{})
+          : 0;
+  return thresholds(total_area, junctions, options);
+}
 
 } // namespace foam

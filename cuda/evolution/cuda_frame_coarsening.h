@@ -8,10 +8,8 @@
 namespace foam::cuda {
 
 /// core's FrameCoarsening with Sweep::Jacobi and TopologicalAlgorithm::Bidding, on the device,
-/// where the foam stays: it is sent there by restart() and fetched by foam(). It is sampled and
-/// measured there, and only what is shown of it is fetched. In a frame nothing crosses but the
-/// results of reductions.
-/// \throws FoamError for options of the equilibrator out of range, and when the device fails.
+/// where the foam stays (ResidentCoarsening). \throws FoamError for options of the equilibrator out
+/// of range, and when the device fails.
 std::unique_ptr<Coarsening> make_frame_coarsening(const CoarseningOptions& options);
 
 } // namespace foam::cuda

@@ -50,10 +50,8 @@ TEST(Accelerator, AutoSaysOnceThatItIsNotThere) {
 TEST(Accelerator, ComputesWhatIsTheSameThere) {
   CoarseningOptions options;
   EXPECT_FALSE(accelerator_obstacle(options.equilibrator).empty()) << "Newton, by itself";
-  EXPECT_FALSE(accelerator_obstacle(options).empty()) << "Newton, from event to event";
   options.equilibrator.device = Device::CUDA;
   EXPECT_TRUE(accelerator_obstacle(options.equilibrator).empty()) << "Newton, asked for";
-  EXPECT_FALSE(accelerator_obstacle(options).empty()) << "Newton, from event to event";
   options.equilibrator.kind = EquilibratorKind::Junction;
   EXPECT_TRUE(accelerator_obstacle(options.equilibrator).empty());
   EXPECT_FALSE(accelerator_obstacle(options).empty()) << "the final algorithm";
@@ -61,6 +59,41 @@ TEST(Accelerator, ComputesWhatIsTheSameThere) {
   EXPECT_TRUE(accelerator_obstacle(options).empty());
   options.equilibrator.junction.sweep = Sweep::GaussSeidel;
   EXPECT_FALSE(accelerator_obstacle(options).empty()) << "one after the other";
+}
+
+/// From event to event on the processor alone; in fixed steps there and on the device.
+TEST(Accelerator, ComputesNewtonsFrames) {
+  for (const Device device : {Device::Auto, Device::CUDA}) {
+    CoarseningOptions options;
+    options.equilibrator.device = device;
+    for (const auto algorithm : {TopologicalAlgorithm::Final, TopologicalAlgorithm::Original,
+                                 TopologicalAlgorithm::Improved}) {
+      options.topological_algorithm = algorithm;
+      const std::string obstacle = accelerator_obstacle(options);
+      EXPECT_NE(obstacle.find("TopologicalAlgorithm = Bidding"), std::string::npos) << obstacle;
+    }
+    options.topological_algorithm = TopologicalAlgorithm::Bidding;
+    EXPECT_EQ(accelerator_obstacle(options), "");
+  }
+}
+
+TEST(Accelerator, IsAnErrorForNewtonFromEventToEvent) {
+  register_one();
+  device_is_there = true;
+  CoarseningOptions options;
+  EXPECT_NE(make_coarsening(options), nullptr) << "Auto: on the processor";
+  options.equilibrator.device = Device::CUDA;
+  try {
+    make_coarsening(options);
+    FAIL();
+  } catch (const FoamError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "Device = CUDA, but Equilibrator = Newton steps from one topological event to the "
+              "next on the CPU alone; with TopologicalAlgorithm = Bidding it goes in fixed steps, "
+              "there as well");
+  }
+  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  EXPECT_EQ(make_coarsening(options), nullptr) << "made by the accelerator, which makes nothing";
 }
 
 } // namespace

@@ -17,6 +17,8 @@
 namespace foam {
 namespace {
 
+using Bids = CollapseBids<ThesisRules>;
+
 /// Swaps films of small bubbles until many of them have two sides.
 Foam with_two_sided_bubbles(Foam foam) {
   for (int pass = 0; pass < 3; ++pass) {
@@ -66,7 +68,7 @@ struct Collapsed {
 template <class Machine> Collapsed collapsed(Machine machine, Foam foam, const ThesisRules& rules) {
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
   const OperationCount performed =
-      Bidding<Machine>(machine).run(view_of(foam), CollapseBids{rules, swappable.data()});
+      Bidding<Machine>(machine).run(view_of(foam), Bids{rules, swappable.data()});
   return {std::move(foam), performed};
 }
 
@@ -86,18 +88,18 @@ void expect_same(const Foam& a, const Foam& b) {
 /// Performs the candidate with the lowest bid of all until there is none.
 OperationCount collapse_greedily(Foam& foam, const ThesisRules& rules) {
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const CollapseBids bids{rules, swappable.data()};
+  const Bids bids{rules, swappable.data()};
   FoamView mesh = view_of(foam);
   OperationCount total;
   while (true) {
     Index best = 0;
-    for (Index i = 0; i < CollapseBids::candidates(mesh); ++i) {
+    for (Index i = 0; i < Bids::candidates(mesh); ++i) {
       best = bids.key(mesh, i) < bids.key(mesh, best) ? i : best;
     }
     if (bids.key(mesh, best) == kNoBid) {
       return total;
     }
-    total = total + CollapseBids::count(mesh, best);
+    total = total + Bids::count(mesh, best);
     bids.perform(mesh, best);
   }
 }
@@ -114,7 +116,7 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
     Bidding<Host> bidding(host);
     int rounds = 0;
     for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-      performed = bidding.round(view_of(foam), CollapseBids{coarse_rules(), swappable.data()});
+      performed = bidding.round(view_of(foam), Bids{coarse_rules(), swappable.data()});
       expect_valid(foam);
       count(foam, performed);
       ASSERT_LT(rounds, 1000);
@@ -129,22 +131,22 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
 TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
   Foam foam = test::jittered_foam(GetParam(), 400, 5);
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const CollapseBids bids{coarse_rules(), swappable.data()};
+  const Bids bids{coarse_rules(), swappable.data()};
   const FoamView mesh = view_of(foam);
   std::vector<std::uint64_t> lowest(foam.bubble_half.size(), kNoBid);
-  std::vector<std::uint64_t> bid(Foam::size(CollapseBids::candidates(mesh)));
+  std::vector<std::uint64_t> bid(Foam::size(Bids::candidates(mesh)));
   Host host;
-  host.for_each(CollapseBids::candidates(mesh),
-                detail::PlaceBids<CollapseBids>{mesh, bids, bid.data(), lowest.data()});
-  host.for_each(CollapseBids::candidates(mesh),
-                detail::WithdrawBids<CollapseBids>{mesh, bids, bid.data(), lowest.data()});
+  host.for_each(Bids::candidates(mesh),
+                detail::PlaceBids<Bids>{mesh, bids, bid.data(), lowest.data()});
+  host.for_each(Bids::candidates(mesh),
+                detail::WithdrawBids<Bids>{mesh, bids, bid.data(), lowest.data()});
   std::set<Index> taken;
   int winners = 0;
-  for (Index i = 0; i < CollapseBids::candidates(mesh); ++i) {
+  for (Index i = 0; i < Bids::candidates(mesh); ++i) {
     if (bid[Foam::size(i)] != kNoBid) {
       ++winners;
       std::set<Index> own;
-      for (const Index b : CollapseBids::bubbles(mesh, i)) {
+      for (const Index b : Bids::bubbles(mesh, i)) {
         own.insert(b);
       }
       own.erase(kWorld);

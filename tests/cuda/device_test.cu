@@ -16,7 +16,6 @@
 #include "equilibrium/krylov_equilibrator.h"
 #include "evolution/coarsening.h"
 #include "evolution/collapse_bids.h"
-#include "evolution/cuda_frame_coarsening.h"
 #include "evolution/parallel_frame.h"
 #include "junction/jacobi_sweep.h"
 #include "mesh/device_foam.h"
@@ -528,23 +527,18 @@ void newton_abort() {
 
 /// Frames with Newton's equilibria, with T1s and T2s.
 void newton_frames() {
-  CoarseningOptions options;
-  options.equilibrator.tolerance = 1e-10;
-  options.thresholds.t1_length = 0.3;
-  options.thresholds.t2_area = 0.6;
-  const auto coarsening = cuda::make_frame_coarsening(options);
-  coarsening->restart(disordered(16));
-  Foam here = disordered(16);
-  Host host;
-  ParallelFrame<Host> frame(host, options);
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_TRUE(coarsening->advance({}));
-    const FrameResult result = frame.advance(view_of(here), {});
-    EXPECT_TRUE(result.report.converged);
-    count(here, result.operations);
-  }
-  const Foam& there = coarsening->foam();
+  const auto on = [](Device device) {
+    CoarseningOptions options = options_on(device);
+    options.equilibrator.kind = EquilibratorKind::Newton;
+    options.equilibrator.tolerance = 1e-10;
+    options.thresholds.t1_length = 0.3;
+    options.thresholds.t2_area = 0.6;
+    return coarsened(options, disordered(16), 10);
+  };
+  const Foam there = on(Device::CUDA);
+  const Foam here = on(Device::CPU);
   EXPECT_TRUE(there.report.converged);
+  EXPECT_TRUE(here.report.converged);
   EXPECT_GT(here.t1_count + here.t2_count, 0);
   EXPECT_EQ(there.t1_count, here.t1_count);
   EXPECT_EQ(there.t2_count, here.t2_count);

@@ -59,6 +59,27 @@ class Times(unittest.TestCase):
         self.assertEqual(single(coarsen.GetOutput(0), "TimeValue"), 0)
 
 
+class FixedSteps(unittest.TestCase):
+    """Newton with Bidding."""
+
+    def test_equilibria_in_any_order_and_resumed(self):
+        foam = foam_of_points(periodic=True)
+        algorithm = {"TopologicalAlgorithm": vtkFoamCoarsen.Bidding}
+        forward = coarsening_of(foam, **algorithm)
+        frames = [go_to(forward, k)[0] for k in range(41)]
+        for films in frames:
+            self.assertEqual(single(films, "Converged"), 1)
+            self.assertLess(single(films, "MaxAngleError"), 1e-8)
+        self.assertGreater(single(frames[40], "T1Count"), 0)
+        self.assertGreater(single(frames[40], "T2Count"), 0)
+        for frame in (25, 3, 31):
+            self.assertEqual(differences(go_to(forward, frame)[0], frames[frame]), [])
+        resumed = coarsening_of(frames[30], **algorithm)
+        self.assertEqual(differences(go_to(resumed, 10)[0], frames[40]), [])
+        by_events, _ = go_to(coarsening_of(foam), 40)
+        self.assertAlmostEqual(single(frames[40], "Energy") / single(by_events, "Energy"), 1, delta=0.02)
+
+
 class Scrubbing(unittest.TestCase):
     ORDER = [35, 12, 13, 0, 40, 9, 10, 11, 31, 30, 29, 3]
 

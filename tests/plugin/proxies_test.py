@@ -55,7 +55,7 @@ PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"],
          "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
          "FoamEnsembleStatistics": None}
-JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
+JUNCTION_ONLY = {"Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
                  "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}
 

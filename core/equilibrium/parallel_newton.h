@@ -14,103 +14,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "equilibrium/closing_films.h"
 #include "equilibrium/equilibrator.h"
-#include "equilibrium/film_step.h"
 #include "equilibrium/foam_preconditioner.h"
+#include "equilibrium/gauges.h"
 #include "equilibrium/minimal_residual.h"
+#include "equilibrium/newton_residual.h"
+#include "equilibrium/newton_step.h"
 #include "equilibrium/parallel_measures.h"
 #include "topology/bidding.h"
-#include "topology/local_operations.h"
-#include "topology/swap_rule.h"
 
 namespace foam::newton {
-
-/// Largest dimensionless residuals of the equilibrium's equations, as LagrangianSystem has them.
-struct LargestResiduals {
-  double force = 0, curvature = 0, area = 0;
-
-  double largest() const { return std::max({force, curvature, area}); }
-};
-
-/// A change of a foam's unknowns, by element.
-struct StepView {
-  Vec2* junction = nullptr;   ///< cm
-  double* angle = nullptr;    ///< rad, by film
-  double* pressure = nullptr; ///< N/cm², by bubble
-
-  FOAM_HOST_DEVICE Vec2 chord_change(const FoamView& mesh, Index film) const {
-    return junction[mesh.end(2 * film)] - junction[mesh.start(2 * film)];
-  }
-};
-
 namespace detail {
-
-inline constexpr double kLargestMove = 0.3; // of a junction's shortest film, in a limited step
-
-struct ForceAt {
-  FoamView mesh;
-  Units units;
-
-  FOAM_HOST_DEVICE double operator()(Index junction) const {
-    if (!moves(mesh, junction)) {
-      return 0;
-    }
-    Vec2 sum;
-    for (const Index h : mesh.junction_half[FoamView::size(junction)]) {
-      const Vec2 chord = mesh.chord(h);
-      const double d = norm(chord);
-      const double q = mesh.pressure_of(mesh.left(h)) - mesh.pressure_of(mesh.right(h));
-      const FilmForces forces =
-          film_forces(chord, (1 / d) * chord, d, arc_shape(mesh.half_angle(h)), q, units.tension);
-      sum += Vec2{forces.ends[0], forces.ends[1]};
-    }
-    return norm(sum) / units.tension;
-  }
-};
-
-struct CurvatureOf {
-  FoamView mesh;
-  Units units;
-
-  FOAM_HOST_DEVICE double operator()(Index film) const {
-    if (!bends(mesh, film)) {
-      return 0;
-    }
-    const Index h = 2 * film;
-    const double q = mesh.pressure_of(mesh.left(h)) - mesh.pressure_of(mesh.right(h));
-    return std::abs(2 * std::sin(mesh.half_angle(h)) - q * norm(mesh.chord(h)) / units.tension);
-  }
-};
-
-struct AreaErrorOf {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE double operator()(Index bubble) const {
-    return mesh.has_bubble(bubble) ? area_error(mesh, bubble) : 0;
-  }
-};
-
-/// Not-a-number wins, so that it is seen.
-struct Larger {
-  FOAM_HOST_DEVICE double operator()(double a, double b) const { return a >= b || a != a ? a : b; }
-};
-
-struct Smaller {
-  FOAM_HOST_DEVICE double operator()(double a, double b) const { return b < a ? b : a; }
-};
-
-/// A sum of vectors or, in x, of numbers, and of how many.
-struct Total {
-  Vec2 sum;
-  double count = 0;
-
-  Vec2 mean() const { return count > 0 ? (1 / count) * sum : Vec2{}; }
-  friend FOAM_HOST_DEVICE Total operator+(const Total& a, const Total& b) {
-    return {a.sum + b.sum, a.count + b.count};
-  }
-};
 
 struct TargetArea {
   FoamView mesh;
@@ -120,256 +36,7 @@ struct TargetArea {
   }
 };
 
-struct TotalPressure {
-  FoamView mesh;
-  const double* vector = nullptr;
-
-  FOAM_HOST_DEVICE Total operator()(Index bubble) const {
-    return mesh.has_bubble(bubble) ? Total{{pressure_in(mesh, vector, bubble), 0}, 1} : Total{};
-  }
-};
-
-struct TotalDisplacement {
-  FoamView mesh;
-  const double* vector = nullptr;
-
-  FOAM_HOST_DEVICE Total operator()(Index junction) const {
-    return moves(mesh, junction) ? Total{displacement(vector, junction), 1} : Total{};
-  }
-};
-
-struct TotalPosition {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE Total operator()(Index junction) const {
-    return moves(mesh, junction) ? Total{mesh.position[junction], 1} : Total{};
-  }
-};
-
-/// In x the moment of all displacements about a centre, in y the moment of inertia.
-struct TotalMoment {
-  FoamView mesh;
-  Vec2 centre;
-  const double* vector = nullptr;
-
-  FOAM_HOST_DEVICE Total operator()(Index junction) const {
-    if (!moves(mesh, junction)) {
-      return {};
-    }
-    const Vec2 r = mesh.position[junction] - centre;
-    return {{cross(r, displacement(vector, junction)), dot(r, r)}, 1};
-  }
-};
-
-struct ShiftPressure {
-  FoamView mesh;
-  double by = 0;
-  double* vector = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index bubble) const {
-    if (mesh.has_bubble(bubble)) {
-      vector[2 * mesh.junctions + bubble] += by;
-    }
-  }
-};
-
-/// Takes a rigid motion out of all displacements.
-struct HoldJunction {
-  FoamView mesh;
-  Vec2 translation;
-  double rotation = 0;
-  Vec2 centre; ///< of the rotation, cm
-  double* vector = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
-    if (moves(mesh, junction)) {
-      const Vec2 r = mesh.position[junction] - centre;
-      const Vec2 rigid = translation + rotation * left_normal(r);
-      set_displacement(vector, junction, displacement(vector, junction) - rigid);
-    }
-  }
-};
-
-/// A solution with its units.
-struct TakeJunctionStep {
-  Units units;
-  const double* solution = nullptr;
-  StepView step;
-
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
-    step.junction[junction] = units.length * displacement(solution, junction);
-  }
-};
-
-struct TakePressureStep {
-  FoamView mesh;
-  Units units;
-  const double* solution = nullptr;
-  StepView step;
-
-  FOAM_HOST_DEVICE void operator()(Index bubble) const {
-    step.pressure[bubble] = units.pressure() * pressure_in(mesh, solution, bubble);
-  }
-};
-
-struct TakeAngleStep {
-  FoamView mesh;
-  Units units;
-  double stiffening = 0;
-  const double* solution = nullptr;
-  StepView step;
-
-  FOAM_HOST_DEVICE void operator()(Index film) const {
-    step.angle[film] =
-        bends(mesh, film) ? angle_change(mesh, film, units, stiffening, solution) : 0;
-  }
-};
-
-/// The fraction of a step that the film can take.
-struct LongestStep {
-  FoamView mesh;
-  StepView step;
-
-  FOAM_HOST_DEVICE double operator()(Index film) const {
-    return bends(mesh, film)
-               ? longest_film_step(mesh.chord(2 * film), step.chord_change(mesh, film),
-                                   mesh.half_angle(2 * film), step.angle[film])
-               : 1;
-  }
-};
-
-/// No junction moves by more than a part of its shortest film (limited_step).
-struct LimitJunction {
-  FoamView mesh;
-  StepView step;
-
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
-    if (!moves(mesh, junction)) {
-      return;
-    }
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Index h : mesh.junction_half[FoamView::size(junction)]) {
-      shortest = std::min(shortest, norm(mesh.chord(h)));
-    }
-    const double length = norm(step.junction[junction]);
-    if (length > kLargestMove * shortest) {
-      step.junction[junction] = (kLargestMove * shortest / length) * step.junction[junction];
-    }
-  }
-};
-
-/// No arc turns by more than half a radian (limited_step).
-struct LimitAngle {
-  FoamView mesh;
-  StepView step;
-
-  FOAM_HOST_DEVICE void operator()(Index film) const {
-    const double largest = largest_turn(mesh.film_angle[film], step.angle[film]);
-    step.angle[film] = std::clamp(step.angle[film], -largest, largest);
-  }
-};
-
-/// to[i] ← from[i] + fraction·step[i]
-template <class T> struct Walk {
-  const T* from = nullptr;
-  const T* step = nullptr;
-  double fraction = 0;
-  T* to = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index i) const { to[i] = from[i] + fraction * step[i]; }
-};
-
-struct LengthOf {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE double operator()(Index film) const {
-    return bends(mesh, film) ? mesh.length(2 * film) : 0;
-  }
-};
-
-struct ViolationOf {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE double operator()(Index bubble) const {
-    return mesh.has_bubble(bubble) ? std::abs(mesh.area(bubble) - mesh.target_area[bubble]) : 0;
-  }
-};
-
-struct LargestPressure {
-  FoamView mesh;
-  StepView step;
-
-  FOAM_HOST_DEVICE double operator()(Index bubble) const {
-    if (!mesh.has_bubble(bubble)) {
-      return 0;
-    }
-    const double p = mesh.pressure[bubble];
-    return std::max(std::abs(p), std::abs(p + step.pressure[bubble]));
-  }
-};
-
-/// How fast a film grows along a step.
-struct GrowthOf {
-  FoamView mesh;
-  StepView step;
-
-  FOAM_HOST_DEVICE double operator()(Index film) const {
-    return bends(mesh, film) ? arc_growth(mesh.chord(2 * film), step.chord_change(mesh, film),
-                                          mesh.half_angle(2 * film), step.angle[film])
-                             : 0;
-  }
-};
-
-/// Marks the films that a step shortens further although they are short. Each swap of a film asks
-/// for it to be four times shorter, so that no film is swapped back and forth.
-struct MarkClosing {
-  static constexpr std::uint8_t kLargestSwapCount = 4;
-
-  FoamView mesh;
-  StepView step;
-  double t1_length = 0; ///< cm
-  const std::uint8_t* swaps = nullptr;
-  std::uint8_t* closing = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index film) const {
-    closing[film] =
-        bends(mesh, film) && swaps[film] < kLargestSwapCount &&
-        mesh.length(2 * film) <= t1_length * std::pow(0.25, static_cast<double>(swaps[film])) &&
-        dot(mesh.chord(2 * film), step.chord_change(mesh, film)) < 0;
-  }
-};
-
 } // namespace detail
-
-/// T1s of closing films that may be swapped and are pulled shut, the shortest first
-/// (topology/bidding.h).
-struct ClosingFilmBids {
-  std::uint8_t* closing = nullptr; ///< by film; 0 once it is swapped
-  std::uint8_t* swaps = nullptr;   ///< how often it has been
-
-  struct Count {
-    std::int64_t t1 = 0;
-
-    FOAM_HOST_DEVICE bool any() const { return t1 > 0; }
-    friend FOAM_HOST_DEVICE Count operator+(Count a, Count b) { return {a.t1 + b.t1}; }
-  };
-
-  FOAM_HOST_DEVICE static Index candidates(const FoamView& mesh) { return mesh.films; }
-  FOAM_HOST_DEVICE std::uint64_t key(const FoamView& mesh, Index film) const {
-    const bool gives_way = closing[film] && spares_sides(mesh, film) &&
-                           can_perform_t1(mesh, film) && pulled_shut(mesh, film);
-    return gives_way ? bid_key(false, mesh.length(2 * film), film) : kNoBid;
-  }
-  FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index film) {
-    return bubbles_around_film(mesh, film);
-  }
-  FOAM_HOST_DEVICE static Count count(const FoamView& /*mesh*/, Index /*film*/) { return {1}; }
-  FOAM_HOST_DEVICE void perform(FoamView& mesh, Index film) const {
-    swap_film(mesh, film);
-    closing[film] = 0;
-    ++swaps[film];
-  }
-};
 
 /// What an equilibration did.
 struct NewtonResult {
@@ -396,7 +63,7 @@ public:
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
     prepare(mesh);
     NewtonResult result;
-    double residual = residuals(mesh).largest();
+    double residual = residual_of(mesh);
     double best = std::numeric_limits<double>::infinity();
     int since_best = 0;
     double stiffening = residual > kFar ? kFirstStiffening : 0;
@@ -416,7 +83,7 @@ public:
           mesh.films, detail::MarkClosing{mesh, step(), t1_length, swaps_.data(), closing_.data()});
       const double taken = search_line(mesh, residual, stiffening);
       const std::int64_t swapped =
-          bidding_.run(mesh, ClosingFilmBids{closing_.data(), swaps_.data()}).t1;
+          bidding_.run(mesh, ClosingFilmBids{closing_.data(), swaps_.data()}).count;
       result.t1 += swapped;
       if (taken == 0 && swapped == 0) {
         if (stiffening >= kLargestStiffening) {
@@ -427,7 +94,7 @@ public:
         if (taken == 1) {
           stiffening = stiffening > kLeastStiffening ? stiffening / 8 : 0;
         }
-        residual = residuals(mesh).largest();
+        residual = residual_of(mesh);
       }
     }
     const EquilibriumMeasures measures = measure_equilibrium(machine_, mesh);
@@ -442,7 +109,7 @@ public:
   /// relax_compressible() then brings it nearer.
   bool hemmed_in(const FoamView& mesh) {
     prepare(mesh);
-    const double residual = residuals(mesh).largest();
+    const double residual = residual_of(mesh);
     if (!(residual > kFar)) {
       return false;
     }
@@ -466,7 +133,7 @@ private:
   static constexpr int kInnerIterations = 500;
 
   double longest_step(const FoamView& mesh) {
-    return machine_.reduce(mesh.films, 1.0, detail::LongestStep{mesh, step()}, detail::Smaller{});
+    return machine_.reduce(mesh.films, 1.0, detail::LongestStep{mesh, step()}, parallel::Smaller{});
   }
 
   /// Makes room for a mesh, and takes its measure.
@@ -500,12 +167,7 @@ private:
 
   StepView step() { return {junction_step_.data(), angle_step_.data(), pressure_step_.data()}; }
 
-  LargestResiduals residuals(const FoamView& mesh) {
-    using namespace detail;
-    return {machine_.reduce(mesh.junctions, 0.0, ForceAt{mesh, units_}, Larger{}),
-            machine_.reduce(mesh.films, 0.0, CurvatureOf{mesh, units_}, Larger{}),
-            machine_.reduce(mesh.bubbles, 0.0, AreaErrorOf{mesh}, Larger{})};
-  }
+  double residual_of(const FoamView& mesh) { return largest_residual(machine_, mesh, units_); }
 
   /// Newton's step. \returns the iterations it took.
   int find_step(const FoamView& mesh, double stiffening, double residual) {
@@ -515,7 +177,7 @@ private:
                       Linearise{mesh, units_, stiffening, stiffness_.data(), gradient_.data()});
     machine_.for_each(rows, RightHandSide{mesh, units_, gradient_.data(), right_.data()});
     if (mesh.boundary != Boundary::Free) { // the areas' sum is given
-      level_pressures(mesh, right_.data());
+      level_pressures(machine_, mesh, right_.data());
     }
     const WholeFoamMatrix matrix{mesh, stiffness_.data()};
     preconditioner_.set_up(matrix, units_);
@@ -526,7 +188,7 @@ private:
           machine_.for_each(rows, Multiply{matrix, from, to});
         },
         [&](const double* from, double* to) { preconditioner_.apply(from, to); });
-    remove_gauges(mesh);
+    remove_gauges(machine_, mesh, solution_.data());
     take_step(mesh, stiffening);
     return iterations;
   }
@@ -538,38 +200,6 @@ private:
     machine_.for_each(mesh.bubbles, TakePressureStep{mesh, units_, solution_.data(), step()});
     machine_.for_each(mesh.films,
                       TakeAngleStep{mesh, units_, stiffening, solution_.data(), step()});
-  }
-
-  /// Takes the mean out of a vector's pressures.
-  void level_pressures(const FoamView& mesh, double* vector) {
-    using namespace detail;
-    const Total total =
-        machine_.reduce(mesh.bubbles, Total{}, TotalPressure{mesh, vector}, parallel::Add{});
-    machine_.for_each(mesh.bubbles, ShiftPressure{mesh, -total.mean().x, vector});
-  }
-
-  /// Takes out of the solution what costs nothing: in a closed container only differences of
-  /// pressure act, and nothing but a wall holds a foam in its place, and a torus in its direction.
-  void remove_gauges(const FoamView& mesh) {
-    using namespace detail;
-    double* const x = solution_.data();
-    if (mesh.boundary != Boundary::Free) {
-      level_pressures(mesh, x);
-    }
-    if (mesh.boundary == Boundary::Fixed) {
-      return;
-    }
-    HoldJunction hold{mesh, sum_junctions(mesh, TotalDisplacement{mesh, x}).mean(), 0, {}, x};
-    if (mesh.boundary == Boundary::Free) {
-      hold.centre = sum_junctions(mesh, TotalPosition{mesh}).mean();
-      const Vec2 moment = sum_junctions(mesh, TotalMoment{mesh, hold.centre, x}).sum;
-      hold.rotation = moment.x / moment.y;
-    }
-    machine_.for_each(mesh.junctions, hold);
-  }
-
-  template <class Map> detail::Total sum_junctions(const FoamView& mesh, const Map& map) {
-    return machine_.reduce(mesh.junctions, detail::Total{}, map, parallel::Add{});
   }
 
   void walk(const FoamView& mesh, double fraction) {
@@ -597,7 +227,7 @@ private:
   double penalty(const FoamView& mesh) {
     using namespace detail;
     const double largest =
-        machine_.reduce(mesh.bubbles, 0.0, LargestPressure{mesh, step()}, Larger{});
+        machine_.reduce(mesh.bubbles, 0.0, LargestPressure{mesh, step()}, parallel::Larger{});
     const double slope =
         units_.tension * machine_.reduce(mesh.films, 0.0, GrowthOf{mesh, step()}, parallel::Add{});
     const double descent = slope > 0 ? slope / violation(mesh) : 0;
@@ -615,7 +245,7 @@ private:
     machine_.for_each(mesh.bubbles, parallel::Copy<double>{mesh.pressure, pressure_.data()});
     const auto improves = [&](double fraction) {
       walk(mesh, fraction);
-      return residuals(mesh).largest() < 0.5 * residual || merit(mesh, mu) < before;
+      return residual_of(mesh) < 0.5 * residual || merit(mesh, mu) < before;
     };
     const double longest = longest_step(mesh);
     if (longest < 1) {

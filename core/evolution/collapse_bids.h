@@ -113,13 +113,6 @@ struct SlideBids {
   ThesisRules rules;
   std::uint8_t* waiting = nullptr; ///< of a bubble: not slid yet; all 1 in the beginning
 
-  struct Count {
-    std::int64_t slid = 0;
-
-    FOAM_HOST_DEVICE bool any() const { return slid > 0; }
-    friend FOAM_HOST_DEVICE Count operator+(Count a, Count b) { return {a.slid + b.slid}; }
-  };
-
   FOAM_HOST_DEVICE static Index candidates(const FoamView& mesh) { return mesh.bubbles; }
   FOAM_HOST_DEVICE std::uint64_t key(const FoamView& mesh, Index bubble) const {
     const bool slides = mesh.has_bubble(bubble) && mesh.sides[FoamView::size(bubble)] == 2 &&
@@ -129,7 +122,9 @@ struct SlideBids {
   FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index bubble) {
     return detail::around_two_sided(mesh, bubble);
   }
-  FOAM_HOST_DEVICE static Count count(const FoamView& /*mesh*/, Index /*bubble*/) { return {1}; }
+  FOAM_HOST_DEVICE static Performed count(const FoamView& /*mesh*/, Index /*bubble*/) {
+    return {1};
+  }
   FOAM_HOST_DEVICE void perform(FoamView& mesh, Index bubble) const {
     slide_two_sided_bubble(mesh, bubble, rules.sliding_distance());
     waiting[bubble] = 0;

@@ -88,7 +88,7 @@ private:
   FrameResult try_to_advance(const FoamView& mesh, bool careful, const AbortCheck& aborted) {
     NewtonRules rules = rules_of(mesh, careful);
     const double needed =
-        machine_.reduce(mesh.bubbles, 0.0, detail::StepsOf{rules}, newton::detail::Larger{});
+        machine_.reduce(mesh.bubbles, 0.0, detail::StepsOf{rules}, parallel::Larger{});
     const double steps = (careful ? kCare : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
     FrameResult result;

@@ -27,6 +27,15 @@ struct Add {
   template <class T> FOAM_HOST_DEVICE T operator()(const T& a, const T& b) const { return a + b; }
 };
 
+/// Not-a-number wins, so that it is seen.
+struct Larger {
+  FOAM_HOST_DEVICE double operator()(double a, double b) const { return a >= b || a != a ? a : b; }
+};
+
+struct Smaller {
+  FOAM_HOST_DEVICE double operator()(double a, double b) const { return b < a ? b : a; }
+};
+
 struct Or {
   FOAM_HOST_DEVICE bool operator()(bool a, bool b) const { return a || b; }
 };

@@ -9,6 +9,7 @@
 //   candidates(mesh)   how many candidates there may be, numbered from 0,
 //   key(mesh, i)       the bid of candidate i, no two alike; kNoBid where it cannot or will not,
 //   bubbles(mesh, i)   the bubbles that it touches,
+//   count(mesh, i)     what it counts for: Performed, or as Performed,
 //   perform(mesh, i)   what it does. Nothing outside of these bubbles is read or written.
 #pragma once
 
@@ -34,6 +35,16 @@ FOAM_HOST_DEVICE inline Touched bubbles_around_film(const FoamView& mesh, Index 
   return {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
           mesh.left(mesh.next_around_junction(FoamView::twin(h))), kWorld};
 }
+
+/// How many operations of one kind were performed.
+struct Performed {
+  std::int64_t count = 0;
+
+  FOAM_HOST_DEVICE bool any() const { return count > 0; }
+  friend FOAM_HOST_DEVICE Performed operator+(Performed a, Performed b) {
+    return {a.count + b.count};
+  }
+};
 
 namespace detail {
 

@@ -18,14 +18,18 @@ public:
   FoamView view();
 
 private:
-  DeviceArray<Index> bubble_half_, sides_;
-  DeviceArray<double> pressure_, target_area_;
-  DeviceArray<Index> half_junction_, half_bubble_;
-  DeviceArray<double> film_angle_;
-  DeviceArray<Wrap> film_wrap_;
-  DeviceArray<Vec2> position_;
-  DeviceArray<std::array<Index, 3>> junction_half_;
+  /// Under Foam's and FoamView's names.
+  struct Arrays {
+    DeviceArray<Index> bubble_half, sides;
+    DeviceArray<double> pressure, target_area;
+    DeviceArray<Index> half_junction, half_bubble;
+    DeviceArray<double> film_angle;
+    DeviceArray<Wrap> film_wrap;
+    DeviceArray<Vec2> position;
+    DeviceArray<std::array<Index, 3>> junction_half;
+  };
 
+  Arrays arrays_;
   Boundary boundary_ = Boundary::Free;
   Box box_;
   double surface_tension_ = 0;

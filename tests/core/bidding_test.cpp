@@ -215,7 +215,7 @@ TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
   }
   std::vector<std::uint8_t> waiting(parallel.bubble_half.size(), 1);
   Host host(4, 16);
-  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules, waiting.data()}).slid,
+  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules, waiting.data()}).count,
             slid);
   EXPECT_GT(slid, 10);
   expect_same(parallel, serial);

@@ -248,8 +248,8 @@ void sliding() {
   DeviceArray<std::uint8_t> waiting_there(waiting);
   const auto there = Bidding<Gpu>(gpu).run(device.view(), SlideBids{rules, waiting_there.data()});
   const auto here = Bidding<Host>(host).run(view_of(foam), SlideBids{rules, waiting.data()});
-  EXPECT_GT(here.slid, 10);
-  EXPECT_EQ(there.slid, here.slid);
+  EXPECT_GT(here.count, 10);
+  EXPECT_EQ(there.count, here.count);
   Foam fetched = foam;
   device.download(fetched);
   EXPECT_NEAR(largest_difference(fetched.position, foam.position), 0, 1e-9);

@@ -52,6 +52,8 @@ public:
 
   /// Whether this is the timeline of these films and settings.
   bool is_of(const FilmSet& start, const Settings& settings) const;
+  /// Whether these are its settings.
+  bool is_of(const Settings& settings) const { return settings == settings_; }
 
   void limit_memory(std::size_t bytes) { keyframes_.set_limit(bytes); }
 

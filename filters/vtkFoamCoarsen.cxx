@@ -59,6 +59,7 @@ struct vtkFoamCoarsen::Simulation {
       : Timeline(std::move(start), settings) {}
 
   foam::filters::FoamTimeline Timeline;
+  vtkMTimeType InputTime = 0; ///< the input is as it was when it was read
   int CheckedFrame = -1;
   bool EndTold = false;
 };
@@ -137,16 +138,22 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
     foam::filters::fail("KeyframeMemory must be at least 0 MiB, but is ", this->KeyframeMemory);
   }
 
-  auto films = foam::filters::read_films(vtkPolyData::GetData(inputs[0]));
-  if (this->TimeStep > 0 && !TimeCanPass(films.time, this->TimeStep)) {
-    foam::filters::fail("TimeStep ", this->TimeStep, " s leads to no later time than ", films.time,
-                        " s");
-  }
-  if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
-    this->Run.reset();
-    foam::filters::checked_foam(films);
-    this->Run = std::make_unique<Simulation>(std::move(films), settings);
-    this->WarnIfNotConverged();
+  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
+  const bool same =
+      this->Run && this->Run->InputTime == input->GetMTime() && this->Run->Timeline.is_of(settings);
+  if (!same) {
+    auto films = foam::filters::read_films(input);
+    if (this->TimeStep > 0 && !TimeCanPass(films.time, this->TimeStep)) {
+      foam::filters::fail("TimeStep ", this->TimeStep, " s leads to no later time than ",
+                          films.time, " s");
+    }
+    if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
+      this->Run.reset();
+      foam::filters::checked_foam(films);
+      this->Run = std::make_unique<Simulation>(std::move(films), settings);
+      this->WarnIfNotConverged();
+    }
+    this->Run->InputTime = input->GetMTime();
   }
   this->Run->Timeline.limit_memory(static_cast<std::size_t>(this->KeyframeMemory) << 20);
 }

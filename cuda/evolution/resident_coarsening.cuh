@@ -19,8 +19,7 @@ namespace foam::cuda {
 template <class Frame> class ResidentCoarsening final : public Coarsening {
 public:
   explicit ResidentCoarsening(const CoarseningOptions& options)
-      : time_step_(options.time_step), frame_(gpu_, options), sampler_(gpu_),
-        statistics_(gpu_) {}
+      : time_step_(options.time_step), frame_(gpu_, options), sampler_(gpu_), statistics_(gpu_) {}
 
   void restart(Foam foam) override {
     foam_ = std::move(foam);

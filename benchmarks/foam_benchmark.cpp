@@ -3,15 +3,13 @@
 // Times pieces of work of the core. Each prints one line of JSON; compare.py puts them beside
 // Surface Evolver's.
 //
-//   foam_benchmark equilibrium N [FILE.fe]   a periodic foam from random points, brought to
-//                                            equilibrium; the start also as a Surface Evolver file
-//   foam_benchmark steps N COUNT             such a foam coarsened, areas + 0.01(n − 6) at mean
-//   area 1 foam_benchmark frames N COUNT TOLERANCE  a periodic foam of the thesis's scale,
-//   coarsened with
-//                                            its constants
-//   foam_benchmark thesis                    the thesis's test: 2,000 bubbles, 1,000 frames
-//   foam_benchmark build N                   a mesh from N random points
-//   foam_benchmark memory N                  what a coarsening foam and its factorisation take
+//   equilibrium N [FILE.fe]   a periodic foam from random points, brought to equilibrium; the start
+//                             also as a Surface Evolver file
+//   steps N COUNT             such a foam coarsened, areas + 0.01(n − 6) at mean area 1
+//   frames N COUNT TOLERANCE  a periodic foam of the thesis's scale, coarsened with its constants
+//   thesis                    the thesis's test: 2,000 bubbles, 1,000 frames
+//   build N                   a mesh from N random points
+//   memory N                  what a coarsening foam and its factorisation take
 #include <malloc.h>
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <thread>
 
 #include "algebra/dense_elimination.h"
+#include "parallel/thread_count.h"
 
 namespace foam {
 namespace {
@@ -51,9 +51,7 @@ private:
 
 } // namespace
 
-MultifrontalSolver::MultifrontalSolver(int threads)
-    : threads_(threads > 0 ? threads
-                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
+MultifrontalSolver::MultifrontalSolver(int threads) : threads_(thread_count(threads)) {}
 
 void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const FilmShare> shares) {
   order_ = tree.order;

@@ -60,6 +60,7 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
 
 void LagrangianSystem::renumber(const Foam& foam) {
   matrix_.set_up(foam, region_, keep_angle_);
+  assembled_ = false;
   analysed_ = false;
   factorised_ = false;
   last_response_.clear();
@@ -67,6 +68,7 @@ void LagrangianSystem::renumber(const Foam& foam) {
 }
 
 Residual LagrangianSystem::evaluate(const Foam& foam) {
+  assembled_ = false;
   const double tension = 2 * foam.surface_tension;
   gradient_.assign(Foam::size(matrix_.unknowns().count()), 0.0);
   angle_gradient_.assign(region_.films.size(), 0.0);
@@ -146,14 +148,19 @@ std::vector<Index> LagrangianSystem::rough_bubbles(const Foam& foam, double limi
 
 /// \returns false if some angles are to be kept that were not: the unknowns are others then.
 bool LagrangianSystem::assemble(const Foam& foam, double shift) {
+  if (assembled_ && shift == 0) {
+    return true;
+  }
   const std::vector<std::size_t> unsafe = matrix_.assemble(foam, region_, shift);
   for (const std::size_t i : unsafe) {
     keep_angle_[i] = 1;
   }
   if (!unsafe.empty()) {
     renumber(foam);
+    return false;
   }
-  return unsafe.empty();
+  assembled_ = shift == 0;
+  return true;
 }
 
 bool LagrangianSystem::factorise(const Foam& foam, Index surplus) {

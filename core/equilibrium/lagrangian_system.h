@@ -42,7 +42,8 @@ public:
   /// Forgets everything.
   void reset();
 
-  /// Evaluates the gradient of the Lagrangian.
+  /// Evaluates the gradient of the Lagrangian. What follows is for this state of the foam, or for
+  /// that of set_up().
   Residual evaluate(const Foam& foam);
   /// The bubbles at which the dimensionless residuals of the last evaluate() exceed a limit.
   std::vector<Index> rough_bubbles(const Foam& foam, double limit) const;
@@ -94,7 +95,8 @@ private:
   Region region_;
   std::uint64_t topology_ = 0;
   bool ready_ = false;
-  bool analysed_ = false; ///< the symbolic factorisation is that of the matrix
+  bool assembled_ = false; ///< the matrix is that of the state last evaluated
+  bool analysed_ = false;  ///< the symbolic factorisation is that of the matrix
   bool factorised_ = false;
   double shift_ = 0;
   double last_shift_ = 0;

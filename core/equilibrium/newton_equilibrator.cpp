@@ -24,10 +24,10 @@ constexpr double kFreeToTurnBelow =
     0.1; // residual from which on a free foam's rotation is told apart
 constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
 constexpr double kSmallestStep = 1e-4; // of a line search
-constexpr int kPatchRings = 3;
+constexpr int kPatchRings = 2;
 constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
 constexpr double kRough = 1e-4;          // residual of a place that is not in equilibrium,
-constexpr double kFewRough = 0.05;       // and such places among the bubbles that are few
+constexpr double kSmallPatch = 0.3;      // and a part of the foam that patches around such may be
 constexpr int kPatience = 24;            // iterations without progress close to the solution
 constexpr int kLargestSwapCount = 4;     // of one film in one call
 
@@ -87,7 +87,9 @@ void NewtonEquilibrator::relax_rough_spots(Foam& foam, double t1_length,
   }
   whole_.evaluate(foam);
   const std::vector<Index> rough = whole_.rough_bubbles(foam, kRough);
-  if (!rough.empty() && static_cast<double>(rough.size()) < kFewRough * foam.bubble_count()) {
+  const auto most = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
+  if (!rough.empty() && rough.size() < most &&
+      patch(foam, rough, kPatchRings).bubbles.size() < most) {
     relax_patch_to(
         kRough, foam, rough, t1_length, [](const Region&) {}, aborted);
   }

@@ -66,7 +66,7 @@ void check_scalars(const FilmSet& set) {
 
 FilmSet film_set(const Foam& foam) {
   FilmSet set;
-  static_cast<FoamRecord&>(set) = foam;
+  static_cast<FoamRecord&>(set) = static_cast<const FoamRecord&>(foam);
 
   std::vector<Index> junction_number(foam.position.size(), kNone);
   for (Index j = 0; j < foam.junction_capacity(); ++j) {
@@ -100,7 +100,7 @@ Foam foam_of(const FilmSet& set) {
   Foam foam;
   foam.resize(static_cast<Index>(set.bubbles.size()), static_cast<Index>(set.films.size()),
               static_cast<Index>(set.junctions.size()));
-  static_cast<FoamRecord&>(foam) = set;
+  static_cast<FoamRecord&>(foam) = static_cast<const FoamRecord&>(set);
 
   std::unordered_map<std::int64_t, Index> bubble_number{{-1, kWorld}};
   for (std::size_t i = 0; i < set.bubbles.size(); ++i) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mesh/elements.h"
+#include "parallel/thread_count.h"
 
 namespace foam {
 
@@ -25,8 +26,7 @@ public:
   /// that takes long for each of them says so itself.
   explicit Host(int threads = 0, std::size_t least_per_thread = 8192)
       : least_per_thread_(least_per_thread),
-        threads_(threads > 0 ? static_cast<std::size_t>(threads)
-                             : std::max(1U, std::thread::hardware_concurrency())) {}
+        threads_(static_cast<std::size_t>(thread_count(threads))) {}
 
   /// Calls kernel(i) for all i in [0, size), in no particular order and many at once.
   template <class Kernel> void for_each(Index size, const Kernel& kernel) const {

@@ -154,7 +154,7 @@ struct CountBubblePoints {
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     std::int64_t count = 0;
-    for_each_half(mesh, bubbles[i], [&](Index h) { count += segments[mesh.film_of(h)]; });
+    for_each_half(mesh, bubbles[i], [&](Index h) { count += segments[FoamView::film_of(h)]; });
     offsets[i] = count;
   }
 };
@@ -175,7 +175,7 @@ struct PlaceBubble {
     Vec2 corner = mesh.position[mesh.start(mesh.bubble_half[bubble])];
     for_each_half(mesh, bubble, [&](Index h) {
       *vertex++ = corner;
-      for_each_inner_point(mesh, h, corner, segments[mesh.film_of(h)],
+      for_each_inner_point(mesh, h, corner, segments[FoamView::film_of(h)],
                            [&](Vec2 p) { *vertex++ = p; });
       corner += mesh.chord(h);
     });

@@ -10,7 +10,7 @@ SampledFoam sample(const Foam& foam, double chord_error) {
   Host host;
   SampledFoam sampled =
       FoamSampler<Host>(host).sample(view_of(foam), BubbleNames<Host>(foam.bubble_id), chord_error);
-  sampled.record = foam;
+  sampled.record = static_cast<const FoamRecord&>(foam);
   return sampled;
 }
 

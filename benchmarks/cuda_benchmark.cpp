@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/device_direct_solver.h"
 #include "build/honeycomb.h"
 #include "evolution/coarsening.h"
 
@@ -52,11 +53,13 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
 }
 
 /// Frames with Newton's method, and the thesis's thresholds.
-std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam) {
+std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam,
+                                      LinearSolver solver = LinearSolver::Iterative) {
   CoarseningOptions options;
   options.topological_algorithm = TopologicalAlgorithm::Bidding;
   options.equilibrator.device = device;
   options.equilibrator.tolerance = tolerance;
+  options.equilibrator.linear_solver = solver;
   auto coarsening = make_coarsening(options);
   coarsening->restart(std::move(foam));
   return coarsening;
@@ -205,6 +208,17 @@ int main(int argc, char** argv) {
   time_frames(newton, 50, 40, 100);
   time_frames(newton, 320, 312, 30);
   time_frames(newton, 1000, 1000, 10);
+  std::cout << "\n## The same with its systems solved directly, by cuDSS\n\n";
+  if (cuda::has_direct_solver()) {
+    std::cout << kFrameColumns;
+    const auto direct = [](Foam foam) {
+      return newton_on(Device::CUDA, 1e-5, std::move(foam), LinearSolver::Direct);
+    };
+    time_frames(direct, 50, 40, 100);
+    time_frames(direct, 320, 312, 5);
+  } else {
+    std::cout << "This build has no cuDSS.\n";
+  }
   std::cout << "\n## What is shown of a frame\n\nBest of five, with the transfers.\n\n"
             << kShowColumns;
   time_shown_frame(50, 40);

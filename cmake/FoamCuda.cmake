@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Whether the GPU's part of the core is built: FOAM_CUDA_FOUND, and the language CUDA enabled.
+# Whether the GPU's part of the core is built: FOAM_CUDA_FOUND, and the language CUDA enabled; and
+# whether it has a direct solver: FOAM_CUDSS_FOUND, and the target cudss.
 set(FOAM_CUDA AUTO CACHE STRING "Build for NVIDIA GPUs: ON, OFF, or AUTO where a CUDA compiler is found")
 set_property(CACHE FOAM_CUDA PROPERTY STRINGS AUTO ON OFF)
 
 set(FOAM_CUDA_FOUND FALSE)
+set(FOAM_CUDSS_FOUND FALSE)
 if(FOAM_CUDA)
   if(NOT CMAKE_CUDA_ARCHITECTURES)
     # Machine code for these, and PTX that the driver of a later one compiles.
@@ -19,6 +21,13 @@ if(FOAM_CUDA)
     endif()
     find_package(CUDAToolkit REQUIRED)
     set(FOAM_CUDA_FOUND TRUE)
+    find_package(cudss CONFIG QUIET)
+    if(cudss_FOUND AND cudss_VERSION VERSION_GREATER_EQUAL 0.8) # before, matrices were made otherwise
+      set(FOAM_CUDSS_FOUND TRUE)
+      message(STATUS "cuDSS: found, ${cudss_VERSION}")
+    else()
+      message(STATUS "cuDSS 0.8 or later: not found, without a direct solver on GPUs")
+    endif()
   elseif(NOT FOAM_CUDA STREQUAL AUTO)
     message(FATAL_ERROR "FOAM_CUDA is on, but no CUDA compiler (nvcc) is found")
   else()

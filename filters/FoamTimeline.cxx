@@ -60,8 +60,9 @@ auto values(const JunctionOptions& options) {
 }
 
 auto values(const EquilibratorOptions& options) {
-  const auto& [kind, device, tolerance, maximum_iterations, junction] = options;
-  return std::tuple_cat(std::tie(kind, device, tolerance, maximum_iterations), values(junction));
+  const auto& [kind, device, tolerance, maximum_iterations, linear_solver, junction] = options;
+  return std::tuple_cat(std::tie(kind, device, tolerance, maximum_iterations, linear_solver),
+                        values(junction));
 }
 
 auto values(const ThresholdOptions& options) {

@@ -24,6 +24,12 @@ enum class EquilibratorKind {
 
 enum class Device { Auto, CPU, CUDA };
 
+/// How Newton's systems are solved on a device.
+enum class LinearSolver {
+  Iterative, ///< MINRES, with a preconditioner that does not feel the foam's size
+  Direct     ///< a sparse factorisation, where the build has one for the device
+};
+
 enum class Sweep { Jacobi, GaussSeidel };
 
 /// What a junction's films shall meet besides its bubbles' areas.
@@ -58,6 +64,8 @@ struct EquilibratorOptions {
   Device device = Device::Auto;
   double tolerance = 1e-9;      ///< Newton: largest dimensionless residual of an equilibrium, > 0
   int maximum_iterations = 256; ///< > 0
+  /// Direct only for Newton with Device::CUDA, in a build with cuDSS.
+  LinearSolver linear_solver = LinearSolver::Iterative;
   JunctionOptions junction;
 };
 

@@ -9,6 +9,11 @@
 #include "parallel/kernels.h"
 
 namespace foam::newton {
+
+/// What holds that where a matrix is factorised: too small to be felt elsewhere, in units of T/ℓ
+/// for positions, and with the other sign of ℓ³/T for pressures.
+inline constexpr double kRegularisation = 1e-8;
+
 namespace detail {
 
 /// A sum of vectors or, in x, of numbers, and of how many.

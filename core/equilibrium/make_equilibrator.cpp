@@ -16,6 +16,10 @@ void check_options(const EquilibratorOptions& options) {
     throw FoamError("MaximumIterations must be at least 1, but is " +
                     std::to_string(options.maximum_iterations));
   }
+  if (options.linear_solver == LinearSolver::Direct &&
+      (options.kind != EquilibratorKind::Newton || options.device != Device::CUDA)) {
+    throw FoamError("LinearSolver = Direct is for Equilibrator = Newton with Device = CUDA alone");
+  }
 }
 
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {

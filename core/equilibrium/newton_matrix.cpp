@@ -3,18 +3,19 @@
 
 #include <algorithm>
 
+#include "equilibrium/gauges.h"
 #include "parallel/host.h"
 
 namespace foam {
 namespace {
 
 constexpr auto kAngle = FilmLagrangian::kAngle;
+using newton::kRegularisation;
 constexpr std::size_t kAngleRow = kAngle * (kAngle + 1) / 2; // in a lower triangle
 
 // ∂²φ/∂α² in units of T·d; it is 1/3 for a straight film and falls to 0 at α = 90°.
 constexpr double kKeepBelow = 0.2;   // angles that are kept from the start
 constexpr double kEliminateTo = 0.1; // an eliminated one must not fall below this
-constexpr double kRegularisation = 1e-8;
 
 FilmLagrangian lagrangian_of(const Foam& foam, Index film) {
   const double q = foam.pressure_of(foam.left(2 * film)) - foam.pressure_of(foam.right(2 * film));

@@ -3,9 +3,10 @@
 // Newton's method for a whole foam, every step of it in parallel on a machine (parallel/host.h):
 // the equations, the penalty function and the limits of NewtonEquilibrator; its systems solved by
 // MINRES (minimal_residual.h) with a preconditioner that does not feel the foam's size
-// (foam_preconditioner.h), its T1s by bidding (topology/bidding.h).
+// (foam_preconditioner.h), or by a direct solver that it is given; its T1s by bidding
+// (topology/bidding.h).
 //
-// Nothing is factorised, so that no inertia tells whether a step leads to a minimum. Far from
+// No inertia is asked for that could tell whether a step leads to a minimum. Far from
 // equilibrium, and where the penalty function does not fall along a step, films are stiffened
 // (film_derivatives) until it does: they resist being stretched, as springs do. From where that
 // does not help, relax_compressible() does, on the processor: ask hemmed_in().
@@ -14,8 +15,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
+#include "algebra/direct_solver.h"
 #include "equilibrium/closing_films.h"
+#include "equilibrium/compressed_matrix.h"
 #include "equilibrium/equilibrator.h"
 #include "equilibrium/foam_preconditioner.h"
 #include "equilibrium/gauges.h"
@@ -36,6 +41,14 @@ struct TargetArea {
   }
 };
 
+/// (a − b)²
+struct SquaredDifference {
+  const double* a = nullptr;
+  const double* b = nullptr;
+
+  FOAM_HOST_DEVICE double operator()(Index i) const { return (a[i] - b[i]) * (a[i] - b[i]); }
+};
+
 } // namespace detail
 
 /// What an equilibration did.
@@ -54,9 +67,12 @@ inline void note(Foam& foam, const NewtonResult& result) {
 
 template <class Machine> class ParallelNewton {
 public:
-  ParallelNewton(Machine& machine, const EquilibratorOptions& options)
+  /// \param direct solves the systems in place of MINRES, which takes over where that leaves more
+  /// than 10⁻⁴ of the right-hand side; null for MINRES alone.
+  ParallelNewton(Machine& machine, const EquilibratorOptions& options,
+                 std::unique_ptr<DirectSolver> direct = nullptr)
       : machine_(machine), options_(options), bidding_(machine), solver_(machine),
-        preconditioner_(machine) {}
+        preconditioner_(machine), direct_(std::move(direct)), compressed_(machine) {}
 
   /// Brings a mesh to equilibrium, swapping films shorter than t1_length (cm) that are pulled shut.
   /// Where it throws Aborted the mesh is somewhere in between.
@@ -169,7 +185,7 @@ private:
 
   double residual_of(const FoamView& mesh) { return largest_residual(machine_, mesh, units_); }
 
-  /// Newton's step. \returns the iterations it took.
+  /// Newton's step. \returns MINRES's iterations.
   int find_step(const FoamView& mesh, double stiffening, double residual) {
     using namespace detail;
     const Index rows = mesh.junctions + mesh.bubbles;
@@ -180,17 +196,41 @@ private:
       level_pressures(machine_, mesh, right_.data());
     }
     const WholeFoamMatrix matrix{mesh, stiffness_.data()};
+    const int iterations =
+        direct_ && solve_directly(matrix)
+            ? 0
+            : solve_iteratively(matrix, std::clamp(residual, kFinest, kRoughest));
+    remove_gauges(machine_, mesh, solution_.data());
+    take_step(mesh, stiffening);
+    return iterations;
+  }
+
+  /// \returns whether the solution is as good as the finest that is asked of MINRES.
+  bool solve_directly(const WholeFoamMatrix& matrix) {
+    using namespace detail;
+    const Index size = size_of(matrix.mesh);
+    const double* const b = right_.data();
+    direct_->solve(compressed_.assemble(matrix), b, solution_.data());
+    product_.resize(static_cast<std::size_t>(size));
+    machine_.for_each(matrix.mesh.junctions + matrix.mesh.bubbles,
+                      Multiply{matrix, solution_.data(), product_.data()});
+    const double error =
+        machine_.reduce(size, 0.0, SquaredDifference{b, product_.data()}, parallel::Add{});
+    return error <=
+           kFinest * kFinest * machine_.reduce(size, 0.0, DotProduct{b, b}, parallel::Add{});
+  }
+
+  /// \returns the iterations it took.
+  int solve_iteratively(const WholeFoamMatrix& matrix, double tolerance) {
+    using namespace detail;
+    const Index rows = matrix.mesh.junctions + matrix.mesh.bubbles;
     preconditioner_.set_up(matrix, units_);
-    const int iterations = solver_.solve(
-        size_of(mesh), right_.data(), solution_.data(), std::clamp(residual, kFinest, kRoughest),
-        kInnerIterations,
+    return solver_.solve(
+        size_of(matrix.mesh), right_.data(), solution_.data(), tolerance, kInnerIterations,
         [&](const double* from, double* to) {
           machine_.for_each(rows, Multiply{matrix, from, to});
         },
         [&](const double* from, double* to) { preconditioner_.apply(from, to); });
-    remove_gauges(machine_, mesh, solution_.data());
-    take_step(mesh, stiffening);
-    return iterations;
   }
 
   /// The step that the solution is.
@@ -271,11 +311,14 @@ private:
   Bidding<Machine> bidding_;
   MinimalResidual<Machine> solver_;
   FoamPreconditioner<Machine> preconditioner_;
+  std::unique_ptr<DirectSolver> direct_;
+  CompressedMatrix<Machine> compressed_;
   Units units_;
 
   Array<FilmStiffness> stiffness_;
   Array<FilmGradient> gradient_;
   Array<double> right_, solution_;
+  Array<double> product_; ///< with a direct solver's solution
   Array<Vec2> junction_step_;
   Array<double> angle_step_, pressure_step_;
   Array<Vec2> position_; ///< and the next two: where a line search began

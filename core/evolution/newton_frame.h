@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "equilibrium/parallel_newton.h"
 #include "evolution/collapse_bids.h"
@@ -66,9 +68,11 @@ struct Vanishes {
 
 template <class Machine> class NewtonFrame {
 public:
-  NewtonFrame(Machine& machine, const CoarseningOptions& options)
+  /// \param direct see ParallelNewton.
+  NewtonFrame(Machine& machine, const CoarseningOptions& options,
+              std::unique_ptr<DirectSolver> direct = nullptr)
       : machine_(machine), options_(options), bidding_(machine),
-        newton_(machine, options.equilibrator) {}
+        newton_(machine, options.equilibrator, std::move(direct)) {}
 
   /// Advances a mesh by one time step. Where no equilibrium is found it is done once more with
   /// care: in four times as many steps, and with T1s of films up to a tenth of the bubbles'

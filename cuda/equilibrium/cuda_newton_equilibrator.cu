@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "algebra/device_direct_solver.h"
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/parallel_newton.h"
 #include "mesh/device_foam.h"
@@ -13,7 +14,8 @@ namespace {
 
 class CudaNewtonEquilibrator final : public Equilibrator {
 public:
-  explicit CudaNewtonEquilibrator(const EquilibratorOptions& options) : newton_(gpu_, options) {}
+  explicit CudaNewtonEquilibrator(const EquilibratorOptions& options)
+      : newton_(gpu_, options, direct_solver_for(options)) {}
 
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override {
     Foam changed = foam;

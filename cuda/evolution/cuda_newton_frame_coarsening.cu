@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/cuda_newton_frame_coarsening.h"
 
+#include "algebra/device_direct_solver.h"
 #include "evolution/newton_frame.h"
 #include "evolution/resident_coarsening.cuh"
 #include "parallel/gpu.cuh"
@@ -8,7 +9,8 @@
 namespace foam::cuda {
 
 std::unique_ptr<Coarsening> make_newton_frame_coarsening(const CoarseningOptions& options) {
-  return std::make_unique<ResidentCoarsening<NewtonFrame<Gpu>>>(options);
+  return std::make_unique<ResidentCoarsening<NewtonFrame<Gpu>>>(
+      options, direct_solver_for(options.equilibrator));
 }
 
 } // namespace foam::cuda

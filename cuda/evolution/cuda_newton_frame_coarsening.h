@@ -8,7 +8,7 @@
 namespace foam::cuda {
 
 /// core's NewtonFrameCoarsening on the device, where the foam stays (ResidentCoarsening).
-/// \throws FoamError when the device fails.
+/// \throws FoamError when the device fails, or a direct solver is asked for that this build lacks.
 std::unique_ptr<Coarsening> make_newton_frame_coarsening(const CoarseningOptions& options);
 
 } // namespace foam::cuda

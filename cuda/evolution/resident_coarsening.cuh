@@ -18,8 +18,11 @@ namespace foam::cuda {
 /// \tparam Frame ParallelFrame<Gpu> or NewtonFrame<Gpu>
 template <class Frame> class ResidentCoarsening final : public Coarsening {
 public:
-  explicit ResidentCoarsening(const CoarseningOptions& options)
-      : time_step_(options.time_step), frame_(gpu_, options), sampler_(gpu_), statistics_(gpu_) {}
+  /// \param parts what else the frame is made of.
+  template <class... Parts>
+  explicit ResidentCoarsening(const CoarseningOptions& options, Parts&&... parts)
+      : time_step_(options.time_step), frame_(gpu_, options, std::forward<Parts>(parts)...),
+        sampler_(gpu_), statistics_(gpu_) {}
 
   void restart(Foam foam) override {
     foam_ = std::move(foam);

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "algebra/device_direct_solver.h"
 #include "build/honeycomb.h"
 #include "equilibrium/equilibrator.h"
 #include "evolution/coarsening.h"
@@ -56,11 +57,19 @@ void auto_computes_on_the_cpu_and_says_so_once() {
   EXPECT_EQ(text.find('\n'), text.size() - 1);
 }
 
+void a_direct_solver_that_is_not_built_is_a_clear_error() {
+  if (!cuda::has_direct_solver()) {
+    EXPECT_EQ(error_of([] { cuda::make_direct_solver(); }),
+              "LinearSolver = Direct, but this build has no cuDSS");
+  }
+}
+
 } // namespace
 } // namespace foam
 
 int main() {
   foam::cuda_is_a_clear_error();
   foam::auto_computes_on_the_cpu_and_says_so_once();
+  foam::a_direct_solver_that_is_not_built_is_a_clear_error();
   return foam::test::failures > 0 ? 1 : 0;
 }

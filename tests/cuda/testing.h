@@ -10,6 +10,7 @@
 namespace foam::test {
 
 inline int failures = 0;
+inline bool skipped = false; ///< some test
 
 template <class Value>
 void expect(bool holds, const std::string& what, const Value& value, int line) {

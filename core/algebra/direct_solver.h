@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/elements.h"
+
+namespace foam {
+
+/// The lower triangle of a symmetric matrix in compressed rows, wherever its arrays lie. Row i has
+/// the entries from first[i] to first[i + 1], their columns ascending and the diagonal last.
+struct LowerTriangle {
+  Index size = 0;                ///< rows
+  Index entries = 0;             ///< first[size]
+  const Index* first = nullptr;  ///< size + 1 of them
+  const Index* column = nullptr; ///< entries of them, from 0 on
+  const double* value = nullptr; ///< entries of them
+};
+
+/// Solves sparse symmetric systems by a factorisation, on the machine (parallel/host.h) in whose
+/// memory they are.
+class DirectSolver {
+public:
+  DirectSolver() = default;
+  DirectSolver(const DirectSolver&) = delete;
+  DirectSolver& operator=(const DirectSolver&) = delete;
+  virtual ~DirectSolver() = default;
+
+  /// Solves matrix · x = b. How good the solution is has to be found out: the matrix may be
+  /// indefinite, and pivots may have been too small.
+  /// \param b right-hand side and \param x solution, size numbers each.
+  /// \throws FoamError if the solver fails.
+  virtual void solve(const LowerTriangle& matrix, const double* b, double* x) = 0;
+};
+
+} // namespace foam

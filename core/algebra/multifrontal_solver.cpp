@@ -270,32 +270,21 @@ void MultifrontalSolver::solve_downwards(Front& front) {
 /// Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002, ch. 7).
 bool MultifrontalSolver::accurate(std::span<const FilmShare> shares,
                                   std::span<const double> diagonal) {
-  std::vector<double> load(order_.size());
-  for (std::size_t u = 0; u < load.size(); ++u) {
-    load[u] = std::sin(1 + static_cast<double>(u));
+  constexpr double kGoldenRatio = 0.6180339887498949; // its multiples' fractions repeat nowhere
+  std::vector<double> rest(order_.size());
+  for (std::size_t u = 0; u < rest.size(); ++u) {
+    const double multiple = kGoldenRatio * static_cast<double>(u);
+    rest[u] = multiple - std::floor(multiple) - 0.5;
   }
-  std::vector<double> solution = load;
+  std::vector<double> solution = rest;
   solve(solution);
-  std::vector<double>& rest = load;
-  double largest = 0;
   for (std::size_t u = 0; u < rest.size(); ++u) {
     rest[u] -= diagonal[u] * solution[u];
   }
+  double largest = 0;
   for (const FilmShare& share : shares) {
-    const double* value = share.value.data();
-    for (std::size_t row = 0; row < 7; ++row) {
-      for (std::size_t column = 0; column <= row; ++column, ++value) {
-        if (share.unknown[row] != kNone && share.unknown[column] != kNone) {
-          const auto u = at(share.unknown[row]);
-          const auto v = at(share.unknown[column]);
-          largest = std::max(largest, std::abs(*value));
-          rest[u] -= *value * solution[v];
-          if (row != column) {
-            rest[v] -= *value * solution[u];
-          }
-        }
-      }
-    }
+    subtract_product(share, share.unknown, solution, rest);
+    largest = std::max(largest, largest_of(share.value));
   }
   return largest_of(rest) < kBackwardError * largest * largest_of(solution);
 }

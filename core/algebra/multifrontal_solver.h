@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "algebra/film_share.h"
 #include "mesh/elements.h"
 
 namespace foam {
@@ -17,12 +18,6 @@ struct EliminationTree {
   };
   std::vector<Index> order; ///< unknowns
   std::vector<Node> nodes;  ///< children before their parent; the root is the last
-};
-
-/// One film's share of a symmetric matrix.
-struct FilmShare {
-  std::array<Index, 7> unknown{}; ///< kNone where held
-  std::array<double, 28> value{}; ///< lower triangle
 };
 
 /// Factorises a sum of films' shares and a diagonal: multifrontal LDLᵀ (I. S. Duff, J. K. Reid, ACM

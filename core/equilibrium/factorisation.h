@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "algebra/multifrontal_solver.h"
 #include "equilibrium/newton_matrix.h"
 
 namespace foam {

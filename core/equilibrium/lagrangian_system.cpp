@@ -81,10 +81,11 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     const double alpha = foam.half_angle(h);
     const double q = foam.pressure_of(foam.left(h)) - foam.pressure_of(foam.right(h));
     const double d = norm(chord);
-    const FilmForces forces = film_forces(chord, (1 / d) * chord, d, arc_shape(alpha), q, tension);
+    const ArcShape shape = arc_shape(alpha);
+    const FilmForces forces = film_forces(chord, (1 / d) * chord, d, shape, q, tension);
     ends[i] = forces.ends;
     angle_gradient_[i] = forces.angle;
-    curvature[i] = std::abs(2 * std::sin(alpha) - q * d / tension);
+    curvature[i] = std::abs(forces.angle) / (tension * d * shape.g1); // since f′ = 2 sin α · g′
   });
   Residual residual;
   for (std::size_t i = 0; i < region_.films.size(); ++i) {

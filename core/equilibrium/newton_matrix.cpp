@@ -128,7 +128,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double>
     from[u] -= regularisation(u) * x[u];
   }
   for (const FilmShare& film : films_) {
-    subtract_film(film, film.unknown, x, from);
+    foam::subtract_product(film, film.unknown, x, from);
   }
 }
 
@@ -139,30 +139,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x,
     from[u] -= regularisation(u) * x[Foam::size(rows[u])];
   }
   for (std::size_t i = 0; i < films_.size(); ++i) {
-    subtract_film(films_[i], columns[i], x, from);
-  }
-}
-
-void NewtonMatrix::subtract_film(const FilmShare& film, const std::array<Index, 7>& columns,
-                                 std::span<const double> x, std::span<double> from) {
-  std::array<double, 7> change{};
-  std::array<double, 7> force{};
-  const std::size_t size = columns[kAngle] == kNone ? kAngle : kAngle + 1;
-  for (std::size_t k = 0; k < size; ++k) {
-    change[k] = columns[k] == kNone ? 0 : x[Foam::size(columns[k])];
-  }
-  std::size_t k = 0;
-  for (std::size_t row = 0; row < size; ++row) {
-    for (std::size_t column = 0; column < row; ++column, ++k) {
-      force[row] += film.value[k] * change[column];
-      force[column] += film.value[k] * change[row];
-    }
-    force[row] += film.value[k++] * change[row];
-  }
-  for (std::size_t row = 0; row < size; ++row) {
-    if (film.unknown[row] != kNone) {
-      from[Foam::size(film.unknown[row])] -= force[row];
-    }
+    foam::subtract_product(films_[i], columns[i], x, from);
   }
 }
 

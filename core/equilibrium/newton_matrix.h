@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "algebra/multifrontal_solver.h"
+#include "algebra/film_share.h"
 #include "equilibrium/film_lagrangian.h"
 #include "equilibrium/unknowns.h"
 
@@ -57,8 +57,6 @@ public:
 private:
   /// \returns false if the film's angle must be kept but is not.
   bool assemble_film(const Foam& foam, const Region& region, std::size_t place, double shift);
-  static void subtract_film(const FilmShare& film, const std::array<Index, 7>& columns,
-                            std::span<const double> x, std::span<double> from);
   double regularisation(std::size_t unknown) const;
 
   Unknowns unknowns_;

@@ -41,7 +41,7 @@ private:
   void predict_whole();
   /// At which a foam may leave equilibrium along its response, 1/s: in a frame by so much that one
   /// more step of Newton's method is enough.
-  double drift() const { return 30 * options_.equilibrator.tolerance / options_.time_step; }
+  double drift() const { return 300 * options_.equilibrator.tolerance / options_.time_step; }
   void balance_gas();
 
   void expect_all();

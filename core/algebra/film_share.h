@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "mesh/elements.h"
+
+namespace foam {
+
+/// One film's share of a symmetric matrix.
+struct FilmShare {
+  std::array<Index, 7> unknown{}; ///< kNone where held
+  std::array<double, 28> value{}; ///< lower triangle
+};
+
+/// from −= share · x. \param columns of the share's unknowns in x, kNone where held.
+inline void subtract_product(const FilmShare& share, const std::array<Index, 7>& columns,
+                             std::span<const double> x, std::span<double> from) {
+  std::array<double, 7> change{};
+  std::array<double, 7> force{};
+  const std::size_t size = columns.back() == kNone ? 6 : 7;
+  for (std::size_t k = 0; k < size; ++k) {
+    change[k] = columns[k] == kNone ? 0 : x[static_cast<std::size_t>(columns[k])];
+  }
+  std::size_t k = 0;
+  for (std::size_t row = 0; row < size; ++row) {
+    for (std::size_t column = 0; column < row; ++column, ++k) {
+      force[row] += share.value[k] * change[column];
+      force[column] += share.value[k] * change[row];
+    }
+    force[row] += share.value[k++] * change[row];
+  }
+  for (std::size_t row = 0; row < size; ++row) {
+    if (share.unknown[row] != kNone) {
+      from[static_cast<std::size_t>(share.unknown[row])] -= force[row];
+    }
+  }
+}
+
+} // namespace foam

@@ -123,6 +123,8 @@ processor times on one core unless all cores are named. Frames that did not reac
 
 ![Time against the number of bubbles](time_against_size.png)
 
+[Where the time goes](profile.md), and why a goal is missed. [On the GPU](cuda.md).
+
 A coarsening step is one of the Evolver script's: areas grow by 0.01(n − 6) at mean area 1. Ours ends at a residual of
 1e-9, Evolver's where its energy stands still or after its 25 rounds. A frame has the thesis's constants (Δt = 1/30 s)
 at 4.4 cm a bubble, on a torus, to a tolerance of 1e-6.

@@ -45,9 +45,13 @@ struct FilmPlaces {
   const Index* films = nullptr;
   const Index* junctions = nullptr;
   const Index* junction_number = nullptr;
-  Index* segments = nullptr;          ///< of each film of the mesh
-  std::int64_t* own_points = nullptr; ///< points that are no junctions
-  std::int64_t* offsets = nullptr;    ///< FilmPolylines::offsets
+  const Index* film_number = nullptr;
+  Index junction_count = 0;
+  Index* segments = nullptr; ///< of each film of the mesh
+  /// The points that are no junctions, and come after those that are: the inner points, then, of a
+  /// film across a period, its end.
+  std::int64_t* own_points = nullptr;
+  std::int64_t* offsets = nullptr; ///< FilmPolylines::offsets
 };
 
 struct CountFilmPoints {
@@ -89,7 +93,6 @@ struct PlaceFilm {
 
   FoamView mesh;
   FilmPlaces place;
-  Index junctions = 0; ///< how many points are junctions
   PlacePoint put;
   std::int64_t* connectivity = nullptr;
 
@@ -98,7 +101,7 @@ struct PlaceFilm {
     const Index half = 2 * film;
     const Index start = mesh.start(half);
     const Index end = place.junction_number[mesh.end(half)];
-    std::int64_t point = junctions + place.own_points[i];
+    std::int64_t point = place.junction_count + place.own_points[i];
     std::int64_t* entry = connectivity + place.offsets[i];
     *entry++ = place.junction_number[start];
     for_each_inner_point(mesh, half, mesh.position[start], place.segments[film], [&](Vec2 p) {
@@ -163,8 +166,9 @@ struct PlaceBubble {
   static constexpr std::size_t kLeastPerThread = 256;
 
   FoamView mesh;
+  FilmPlaces place;
+  const Point3* film_points = nullptr;
   const Index* bubbles = nullptr;
-  const Index* segments = nullptr;
   const std::int64_t* offsets = nullptr;
   Vec2* outline = nullptr; ///< scratch for as many points
   Point3* points = nullptr;
@@ -175,8 +179,7 @@ struct PlaceBubble {
     Vec2 corner = mesh.position[mesh.start(mesh.bubble_half[bubble])];
     for_each_half(mesh, bubble, [&](Index h) {
       *vertex++ = corner;
-      for_each_inner_point(mesh, h, corner, segments[FoamView::film_of(h)],
-                           [&](Vec2 p) { *vertex++ = p; });
+      vertex = copy_inner_points(h, corner, vertex);
       corner += mesh.chord(h);
     });
     const Polygon polygon =
@@ -186,6 +189,22 @@ struct PlaceBubble {
       const Vec2 p = polygon[k] + shift;
       points[offsets[i] + k] = {p.x, p.y, 0};
     }
+  }
+
+private:
+  /// Those of the film's polyline, in the half-film's direction and from where that starts.
+  FOAM_HOST_DEVICE Vec2* copy_inner_points(Index half, Vec2 start, Vec2* to) const {
+    const Index film = FoamView::film_of(half);
+    const Index count = place.segments[film] - 1;
+    const Point3* const inner =
+        film_points + place.junction_count + place.own_points[place.film_number[film]];
+    const Vec2 film_start = mesh.position[mesh.start(2 * film)];
+    const Vec2 shift = start - (half & 1 ? film_start + mesh.chord(2 * film) : film_start);
+    for (Index k = 0; k < count; ++k) {
+      const Point3& p = inner[half & 1 ? count - 1 - k : k];
+      *to++ = shift + Vec2{p[0], p[1]};
+    }
+    return to;
   }
 
   /// The translation by whole periods that brings a point into the box.
@@ -211,9 +230,13 @@ public:
     SampledFoam sampled;
     sampled.energy = film_energy(machine_, mesh);
     records_.measure(mesh, names);
-    sampled.films =
-        sample_films(mesh, names, chord_error > 0 ? chord_error : mean_spacing(mesh) / 200);
-    sampled.bubbles = sample_bubbles(mesh);
+    const detail::FilmPlaces place =
+        place_films(mesh, chord_error > 0 ? chord_error : mean_spacing(mesh) / 200);
+    place_bubbles(mesh, place);
+    measure_films(mesh, names);
+    sampled.films = fetch_films();
+    sampled.bubbles = {fetch(std::move(bubble_points_)), fetch(std::move(bubble_offsets_)),
+                       records_.fetch_records()};
     return sampled;
   }
 
@@ -227,8 +250,7 @@ private:
     return std::sqrt(total / std::max(records_.count(), Index{1}));
   }
 
-  FilmPolylines sample_films(const FoamView& mesh, const BubbleNames<Machine>& names,
-                             double chord_error) {
+  detail::FilmPlaces place_films(const FoamView& mesh, double chord_error) {
     films_.find(mesh.films, detail::PresentFilm{mesh});
     junctions_.find(mesh.junctions, detail::PresentJunction{mesh});
     const Index films = films_.count();
@@ -237,20 +259,24 @@ private:
     segments_.resize(FoamView::size(mesh.films));
     own_points_.resize(length + 1);
     film_offsets_.resize(length + 1);
-    const detail::FilmPlaces place{films_.list(),    junctions_.list(),  junctions_.number(),
-                                   segments_.data(), own_points_.data(), film_offsets_.data()};
+    const detail::FilmPlaces place{films_.list(),      junctions_.list(),   junctions_.number(),
+                                   films_.number(),    junctions_.count(),  segments_.data(),
+                                   own_points_.data(), film_offsets_.data()};
     machine_.for_each(films, detail::CountFilmPoints{mesh, place, chord_error});
     const std::int64_t points = junctions_.count() + machine_.sum_up(own_points_.data(), films);
     const std::int64_t entries = machine_.sum_up(film_offsets_.data(), films);
 
-    points_.resize(static_cast<std::size_t>(points));
+    film_points_.resize(static_cast<std::size_t>(points));
     junction_id_.resize(static_cast<std::size_t>(points));
     connectivity_.resize(static_cast<std::size_t>(entries));
-    const detail::PlacePoint put{points_.data(), junction_id_.data()};
+    const detail::PlacePoint put{film_points_.data(), junction_id_.data()};
     machine_.for_each(junctions_.count(), detail::PlaceJunction{mesh, place, put});
-    machine_.for_each(
-        films, detail::PlaceFilm{mesh, place, junctions_.count(), put, connectivity_.data()});
+    machine_.for_each(films, detail::PlaceFilm{mesh, place, put, connectivity_.data()});
+    return place;
+  }
 
+  void measure_films(const FoamView& mesh, const BubbleNames<Machine>& names) {
+    const auto length = FoamView::size(films_.count());
     left_.resize(length);
     right_.resize(length);
     curvature_.resize(length);
@@ -258,11 +284,15 @@ private:
     length_.resize(length);
     half_angle_.resize(length);
     on_boundary_.resize(length);
-    machine_.for_each(films, detail::MeasureFilm{mesh, films_.list(), names.id.data(), left_.data(),
-                                                 right_.data(), curvature_.data(),
-                                                 pressure_difference_.data(), length_.data(),
-                                                 half_angle_.data(), on_boundary_.data()});
-    return {fetch(std::move(points_)),       fetch(std::move(junction_id_)),
+    machine_.for_each(films_.count(),
+                      detail::MeasureFilm{mesh, films_.list(), names.id.data(), left_.data(),
+                                          right_.data(), curvature_.data(),
+                                          pressure_difference_.data(), length_.data(),
+                                          half_angle_.data(), on_boundary_.data()});
+  }
+
+  FilmPolylines fetch_films() {
+    return {fetch(std::move(film_points_)),  fetch(std::move(junction_id_)),
             fetch(std::move(film_offsets_)), fetch(std::move(connectivity_)),
             fetch(std::move(left_)),         fetch(std::move(right_)),
             fetch(std::move(curvature_)),    fetch(std::move(pressure_difference_)),
@@ -270,19 +300,17 @@ private:
             fetch(std::move(on_boundary_))};
   }
 
-  /// After sample_films, which leaves the films' numbers of segments.
-  BubblePolygons sample_bubbles(const FoamView& mesh) {
+  void place_bubbles(const FoamView& mesh, const detail::FilmPlaces& place) {
     const Index bubbles = records_.count();
     bubble_offsets_.resize(FoamView::size(bubbles) + 1);
     machine_.for_each(bubbles, detail::CountBubblePoints{mesh, records_.bubbles(), segments_.data(),
                                                          bubble_offsets_.data()});
     const auto points = static_cast<std::size_t>(machine_.sum_up(bubble_offsets_.data(), bubbles));
     outline_.resize(points);
-    points_.resize(points);
-    machine_.for_each(bubbles,
-                      detail::PlaceBubble{mesh, records_.bubbles(), segments_.data(),
-                                          bubble_offsets_.data(), outline_.data(), points_.data()});
-    return {fetch(std::move(points_)), fetch(std::move(bubble_offsets_)), records_.fetch_records()};
+    bubble_points_.resize(points);
+    machine_.for_each(bubbles, detail::PlaceBubble{mesh, place, film_points_.data(),
+                                                   records_.bubbles(), bubble_offsets_.data(),
+                                                   outline_.data(), bubble_points_.data()});
   }
 
   Machine& machine_;
@@ -290,7 +318,7 @@ private:
   BubbleRecords<Machine> records_;
   Array<Index> segments_;
   Array<std::int64_t> own_points_, film_offsets_, bubble_offsets_;
-  Array<Point3> points_;
+  Array<Point3> film_points_, bubble_points_;
   Array<Vec2> outline_;
   Array<std::int64_t> junction_id_, connectivity_, left_, right_;
   Array<double> curvature_, pressure_difference_, length_, half_angle_;

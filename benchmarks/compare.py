@@ -103,7 +103,7 @@ def measure(measurement, quick):
     for bubbles in (30000, 100000):
         measurement.foam("equilibrium", bubbles)
     for bubbles in (100, 300, 1000, 3000, 10000, 30000, 100000):
-        measurement.foam("frames", bubbles, 100 if bubbles <= 10000 else 20, 1e-6)
+        measurement.foam("frames", bubbles, 100, 1e-6)
     measurement.foam("frames", 10000, 100, 1e-6, cores=len(CORES))
     measurement.foam("thesis")
     measurement.foam("thesis", cores=len(CORES))

@@ -18,10 +18,15 @@ constexpr double kForcing = 1e-2;      // of the load, that an inexact step may 
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
 
+/// The larger of two, and not a number if one of them is none.
+double larger(double a, double b) {
+  return a >= b || std::isnan(a) ? a : b;
+}
+
 } // namespace
 
 double Residual::largest() const {
-  return std::max({force, curvature, area});
+  return larger(larger(force, curvature), area);
 }
 
 void LagrangianSystem::reset() {
@@ -99,11 +104,11 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     if (kept != kNone) {
       gradient_[Foam::size(kept)] = angle_gradient_[i];
     }
-    residual.curvature = std::max(residual.curvature, curvature[i]);
+    residual.curvature = larger(residual.curvature, curvature[i]);
   }
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
     residual.force =
-        std::max(residual.force, norm(Vec2{gradient_[2 * i], gradient_[2 * i + 1]}) / tension);
+        larger(residual.force, norm(Vec2{gradient_[2 * i], gradient_[2 * i + 1]}) / tension);
   }
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
     const Index b = region_.bubbles[i];
@@ -113,7 +118,7 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     const double largest = kLargestGrowth * std::abs(area);
     gradient_[Foam::size(matrix_.unknowns().first_pressure()) + i] =
         -std::clamp(excess, -largest, largest);
-    residual.area = std::max(residual.area, std::abs(excess) / target);
+    residual.area = larger(residual.area, std::abs(excess) / target);
   }
   return residual;
 }
@@ -207,7 +212,9 @@ const Step& LagrangianSystem::newton_step(const Foam& foam) {
 const Step* LagrangianSystem::newton_step(const Foam& foam, double limit) {
   std::vector<double> rest = load();
   std::vector<double> change(rest.size(), 0.0);
-  const double enough = std::max(limit, kForcing * largest(foam, rest));
+  const double most = largest(foam, rest);
+  // A load below the limit is to be met too: areas are measured here by the mean, not by their own.
+  const double enough = limit < most ? std::max(limit, kForcing * most) : kForcing * most;
   if (!solve(foam, change, rest, enough)) {
     return nullptr;
   }
@@ -265,6 +272,7 @@ const Step* LagrangianSystem::response(const Foam& foam, const std::vector<doubl
     std::ranges::transform(change, rest, change.begin(), std::plus<>());
   } else if (!solve(foam, change, rest, drift)) {
     last_response_.clear();
+    bend_.clear();
     return nullptr;
   }
   if (last_response_.empty()) {
@@ -293,13 +301,13 @@ double LagrangianSystem::largest(const Foam& foam, std::span<const double> rest)
   const auto part = [&](Index begin, Index end) {
     double most = 0;
     for (Index u = begin; u < end; ++u) {
-      most = std::max(most, std::abs(rest[Foam::size(u)]));
+      most = larger(most, std::abs(rest[Foam::size(u)]));
     }
     return most;
   };
-  return std::max({part(0, unknowns.first_pressure()) / unit.force,
-                   part(unknowns.first_pressure(), unknowns.first_angle()) / unit.area,
-                   part(unknowns.first_angle(), unknowns.count()) / unit.curvature});
+  return larger(larger(part(0, unknowns.first_pressure()) / unit.force,
+                       part(unknowns.first_pressure(), unknowns.first_angle()) / unit.area),
+                part(unknowns.first_angle(), unknowns.count()) / unit.curvature);
 }
 
 /// Takes out of the unknowns' changes what moves the foam as a whole: it costs nothing, so that

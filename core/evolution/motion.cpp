@@ -44,6 +44,13 @@ void Motion::begin(const Foam& foam, std::vector<double> area_rates, double now)
   pressures_.begin(foam.pressure.size(), now);
   area_rates_ = std::move(area_rates);
   begin_ = now;
+  if (foam.boundary == Boundary::Fixed) { // what has come to a wall since may have been moving
+    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+      if (foam.has_bubble(b)) {
+        hold_wall(foam, b);
+      }
+    }
+  }
 }
 
 void Motion::take_whole(const Region& region, const Step& response, bool bend) {

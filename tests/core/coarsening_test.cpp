@@ -309,6 +309,30 @@ TEST(Coarsening, AbortLeavesTheFoamAsItWas) {
   EXPECT_TRUE(coarsening->advance({}));
 }
 
+TEST(Coarsening, WallsStayStraight) {
+  for (const std::uint64_t seed : {1, 4}) {
+    auto coarsening = make_coarsening({});
+    coarsening->restart(random_foam(150, Boundary::Fixed, seed));
+    for (int frame = 0; frame < 200; ++frame) {
+      ASSERT_TRUE(coarsening->advance({}));
+      const Foam& foam = coarsening->foam();
+      for (Index f = 0; f < foam.film_capacity(); ++f) {
+        if (foam.has_film(f) && foam.wall(2 * f)) {
+          ASSERT_EQ(foam.film_angle[Foam::size(f)], 0) << "seed " << seed << ", frame " << frame;
+        }
+      }
+    }
+  }
+}
+
+TEST(Coarsening, NothingIsInEquilibriumThatIsNotANumber) {
+  Foam foam = random_foam(30, Boundary::Periodic, 1);
+  for (Vec2& p : foam.position) {
+    p.x = std::nan("");
+  }
+  EXPECT_FALSE(make_equilibrator({})->equilibrate(foam, 0, {}).converged);
+}
+
 TEST(Coarsening, RejectsOptionsOutOfRange) {
   const auto message = [](const CoarseningOptions& options) {
     try {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -14,6 +16,20 @@ struct FilmShare {
   std::array<Index, 7> unknown{}; ///< kNone where held
   std::array<double, 28> value{}; ///< lower triangle
 };
+
+/// The largest entry by magnitude between unknowns that are not held.
+inline double largest_entry(const FilmShare& share) {
+  double largest = 0;
+  std::size_t k = 0;
+  for (std::size_t row = 0; row < 7; ++row) {
+    for (std::size_t column = 0; column <= row; ++column, ++k) {
+      if (share.unknown[row] != kNone && share.unknown[column] != kNone) {
+        largest = std::max(largest, std::abs(share.value[k]));
+      }
+    }
+  }
+  return largest;
+}
 
 /// from −= share · x. \param columns of the share's unknowns in x, kNone where held.
 inline void subtract_product(const FilmShare& share, const std::array<Index, 7>& columns,

@@ -284,7 +284,7 @@ bool MultifrontalSolver::accurate(std::span<const FilmShare> shares,
   double largest = 0;
   for (const FilmShare& share : shares) {
     subtract_product(share, share.unknown, solution, rest);
-    largest = std::max(largest, largest_of(share.value));
+    largest = std::max(largest, largest_entry(share));
   }
   return largest_of(rest) < kBackwardError * largest * largest_of(solution);
 }

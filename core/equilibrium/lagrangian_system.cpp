@@ -8,6 +8,7 @@
 #include "algebra/conjugate_residuals.h"
 #include "equilibrium/film_lagrangian.h"
 #include "parallel/host.h"
+#include "parallel/kernels.h"
 
 namespace foam {
 namespace {
@@ -18,14 +19,10 @@ constexpr double kForcing = 1e-2;      // of the load, that an inexact step may 
 constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
 
-/// The larger of two, and not a number if one of them is none.
-double larger(double a, double b) {
-  return a >= b || std::isnan(a) ? a : b;
-}
-
 } // namespace
 
 double Residual::largest() const {
+  constexpr parallel::Larger larger{};
   return larger(larger(force, curvature), area);
 }
 
@@ -92,6 +89,7 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     angle_gradient_[i] = forces.angle;
     curvature[i] = std::abs(forces.angle) / (tension * d * shape.g1); // since f′ = 2 sin α · g′
   });
+  constexpr parallel::Larger larger{};
   Residual residual;
   for (std::size_t i = 0; i < region_.films.size(); ++i) {
     const std::array<Index, 7> unknown = matrix_.film_unknowns(i);
@@ -298,6 +296,7 @@ Residual LagrangianSystem::units(const Foam& foam) {
 double LagrangianSystem::largest(const Foam& foam, std::span<const double> rest) const {
   const Residual unit = units(foam);
   const Unknowns& unknowns = matrix_.unknowns();
+  constexpr parallel::Larger larger{};
   const auto part = [&](Index begin, Index end) {
     double most = 0;
     for (Index u = begin; u < end; ++u) {

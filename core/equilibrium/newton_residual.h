@@ -3,7 +3,6 @@
 // How far a mesh is from solving the equilibrium's equations, on a machine (parallel/host.h).
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "equilibrium/whole_foam_system.h"
@@ -62,9 +61,11 @@ struct AreaErrorOf {
 template <class Machine>
 double largest_residual(Machine& machine, const FoamView& mesh, const Units& units) {
   using namespace detail;
-  return std::max({machine.reduce(mesh.junctions, 0.0, ForceAt{mesh, units}, parallel::Larger{}),
-                   machine.reduce(mesh.films, 0.0, CurvatureOf{mesh, units}, parallel::Larger{}),
-                   machine.reduce(mesh.bubbles, 0.0, AreaErrorOf{mesh}, parallel::Larger{})});
+  constexpr parallel::Larger larger{};
+  const double force = machine.reduce(mesh.junctions, 0.0, ForceAt{mesh, units}, larger);
+  const double curvature = machine.reduce(mesh.films, 0.0, CurvatureOf{mesh, units}, larger);
+  const double area = machine.reduce(mesh.bubbles, 0.0, AreaErrorOf{mesh}, larger);
+  return larger(larger(force, curvature), area);
 }
 
 } // namespace foam::newton

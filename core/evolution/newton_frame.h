@@ -20,6 +20,7 @@
 #include "evolution/collapse_bids.h"
 #include "evolution/frame_result.h"
 #include "evolution/newton_rules.h"
+#include "parallel/flags.h"
 
 namespace foam {
 namespace detail {
@@ -72,7 +73,7 @@ public:
   NewtonFrame(Machine& machine, const CoarseningOptions& options,
               std::unique_ptr<DirectSolver> direct = nullptr)
       : machine_(machine), options_(options), bidding_(machine),
-        newton_(machine, options.equilibrator, std::move(direct)) {}
+        newton_(machine, options.equilibrator, std::move(direct)), allowed_(machine) {}
 
   /// Advances a mesh by one time step. Where no equilibrium is found it is done once more with
   /// care: in four times as many steps, and with T1s of films up to a tenth of the bubbles'
@@ -122,9 +123,9 @@ private:
   bool take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
                  FrameResult& result) {
     if (rules.thesis.two_sided == TwoSidedBubbles::Slide) {
-      bidding_.run(mesh, SlideBids{rules.thesis, allowed(mesh.bubbles)});
+      bidding_.run(mesh, SlideBids{rules.thesis, allowed_.all_set(mesh.bubbles)});
     }
-    std::uint8_t* const swappable = allowed(mesh.films);
+    std::uint8_t* const swappable = allowed_.all_set(mesh.films);
     rules.swappable = swappable;
     result.operations =
         result.operations + bidding_.run(mesh, CollapseBids<NewtonRules>{rules, swappable});
@@ -146,18 +147,11 @@ private:
     return found.report.converged || measure_equilibrium(machine_, mesh).possible;
   }
 
-  /// Flags that are all set.
-  std::uint8_t* allowed(Index size) {
-    flags_.resize(FoamView::size(size));
-    machine_.for_each(size, parallel::Fill<std::uint8_t>{flags_.data(), 1});
-    return flags_.data();
-  }
-
   Machine& machine_;
   CoarseningOptions options_;
   Bidding<Machine> bidding_;
   newton::ParallelNewton<Machine> newton_;
-  typename Machine::template Array<std::uint8_t> flags_;
+  parallel::Flags<Machine> allowed_;
 };
 
 } // namespace foam

@@ -9,6 +9,7 @@
 #include "evolution/parallel_diffusion.h"
 #include "evolution/thesis_rules.h"
 #include "junction/jacobi_sweep.h"
+#include "parallel/flags.h"
 #include "parallel/kernels.h"
 
 namespace foam {
@@ -39,7 +40,7 @@ template <class Machine> class ParallelFrame {
 public:
   ParallelFrame(Machine& machine, const CoarseningOptions& options)
       : machine_(machine), options_(options), bidding_(machine),
-        jacobi_(machine, options.equilibrator.junction) {}
+        jacobi_(machine, options.equilibrator.junction), allowed_(machine) {}
 
   /// Advances a mesh by one time step.
   /// \param begin called as begin(), gives the mesh as it was before the frame. Where the frame
@@ -59,9 +60,10 @@ public:
     result.performed = true;
     const ThesisRules rules{limit, options_.two_sided_bubbles};
     if (rules.two_sided == TwoSidedBubbles::Slide) {
-      bidding_.run(mesh, SlideBids{rules, allowed(mesh.bubbles)});
+      bidding_.run(mesh, SlideBids{rules, allowed_.all_set(mesh.bubbles)});
     }
-    result.operations = bidding_.run(mesh, CollapseBids<ThesisRules>{rules, allowed(mesh.films)});
+    result.operations =
+        bidding_.run(mesh, CollapseBids<ThesisRules>{rules, allowed_.all_set(mesh.films)});
     machine_.for_each(mesh.bubbles, KeepAbove{mesh.target_area, kLeastTarget * sums.mean_area()});
     jacobi_.prepare(mesh);
     result.report = junction::sweep_to_rest(machine_, mesh, options_.equilibrator, aborted,
@@ -70,18 +72,11 @@ public:
   }
 
 private:
-  /// Flags that are all set.
-  std::uint8_t* allowed(Index size) {
-    flags_.resize(FoamView::size(size));
-    machine_.for_each(size, parallel::Fill<std::uint8_t>{flags_.data(), 1});
-    return flags_.data();
-  }
-
   Machine& machine_;
   CoarseningOptions options_;
   Bidding<Machine> bidding_;
   junction::JacobiSweep<Machine> jacobi_;
-  typename Machine::template Array<std::uint8_t> flags_;
+  parallel::Flags<Machine> allowed_;
 };
 
 } // namespace foam

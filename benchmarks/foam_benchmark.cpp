@@ -15,12 +15,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <numbers>
 #include <random>
 #include <sstream>
 #include <string>

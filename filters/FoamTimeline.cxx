@@ -159,15 +159,12 @@ void FoamTimeline::begin_at_keyframe(int frame) {
 }
 
 void FoamTimeline::advance(const AbortCheck& aborted) {
-  try {
-    if (!coarsening_->advance(aborted)) {
-      end_ = frame_;
-      end_films_ = film_set(coarsening_->foam());
-      return;
-    }
-  } catch (const Aborted&) {
-    interrupted_ = true;
-    throw;
+  interrupted_ = true;
+  if (!coarsening_->advance(aborted)) {
+    end_ = frame_;
+    end_films_ = film_set(coarsening_->foam());
+    interrupted_ = false;
+    return;
   }
   const int next = frame_ + 1;
   if (next % settings_.keyframe_interval == 0) {
@@ -176,6 +173,7 @@ void FoamTimeline::advance(const AbortCheck& aborted) {
     keyframes_.insert(next, std::move(films));
   }
   frame_ = next;
+  interrupted_ = false;
 }
 
 void FoamTimeline::show_end(int frame) {

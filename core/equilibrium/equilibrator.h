@@ -8,7 +8,7 @@
 
 namespace foam {
 
-/// Thrown out of long work when its abort check says so. The foam is as it was when the work began.
+/// Thrown out of long work when its abort check says so.
 class Aborted : public std::runtime_error {
 public:
   Aborted() : std::runtime_error("aborted") {}
@@ -81,7 +81,7 @@ public:
   /// shorter than t1_length (cm) and pulled shut.
   /// \returns what was reached, which is also left in foam.report: a foam that did not reach
   /// equilibrium is not `converged`.
-  /// \throws Aborted
+  /// \throws Aborted, with the foam as it was or on its way, and foam.report accordingly
   virtual EquilibriumReport equilibrate(Foam& foam, double t1_length,
                                         const AbortCheck& aborted) = 0;
 

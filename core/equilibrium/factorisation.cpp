@@ -10,9 +10,9 @@
 namespace foam {
 namespace {
 
-constexpr double kLargestChange = 0.05; // of a film's chord, or of its half-angle in rad
+constexpr double kLargestChange = 0.1; // of a film's chord, or of its half-angle in rad
 constexpr int kPatchRings = 1;
-constexpr double kLargestPatch = 0.1; // of the foam's bubbles
+constexpr double kLargestPatch = 0.2; // of the foam's bubbles
 
 } // namespace
 
@@ -23,9 +23,9 @@ void Factorisation::analyse(const Foam& foam, const Region& region, const Newton
 Index Factorisation::factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
   translation_.clear();
   patch_.reset();
-  unknowns_ = matrix.unknowns();
   topology_ = foam.topology;
   if (region.whole) {
+    unknowns_ = matrix.unknowns();
     films_.assign(foam.film_angle.size(), {});
     for (const Index f : region.films) {
       films_[Foam::size(f)] = film_of(foam, f);
@@ -78,9 +78,6 @@ std::vector<Index> Factorisation::changed_bubbles(const Foam& foam, const Region
 bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vector<Index> bubbles,
                                const NewtonMatrix& matrix) {
   const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
-  if (static_cast<double>(bubbles.size()) > most) {
-    return false;
-  }
   const Region around = patch(foam, bubbles, kPatchRings);
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;

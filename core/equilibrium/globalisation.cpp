@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "equilibrium/film_step.h"
 
@@ -123,7 +122,7 @@ double Merit::penalty(const Foam& foam, const LagrangianSystem& system, const St
                         foam.half_angle(2 * f), step.angles[i]);
   }
   slope *= 2 * foam.surface_tension;
-  const double floor = 1e-3 * foam.surface_tension / foam.mean_spacing();
+  const double floor = 1e-3 * foam.surface_tension / region_.spacing;
   const double descent = slope > 0 ? slope / violation(foam) : 0;
   return 1.5 * std::max(largest, std::isfinite(descent) ? descent : 0) + floor;
 }

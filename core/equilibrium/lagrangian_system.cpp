@@ -27,8 +27,6 @@ double Residual::largest() const {
 }
 
 void LagrangianSystem::reset() {
-  last_response_.clear();
-  bend_.clear();
   ready_ = false;
   factorised_ = false;
   last_shift_ = 0;
@@ -36,9 +34,6 @@ void LagrangianSystem::reset() {
 
 void LagrangianSystem::set_up(const Foam& foam, Region region) {
   const bool adapt = factorised_ && !shifted() && region_.whole && region.whole;
-  const Unknowns before = matrix_.unknowns();
-  const std::vector<double> response = std::move(last_response_);
-  const std::vector<double> bend = std::move(bend_);
   region_ = std::move(region);
   topology_ = foam.topology;
   ready_ = true;
@@ -48,16 +43,7 @@ void LagrangianSystem::set_up(const Foam& foam, Region region) {
                                 : NewtonMatrix::angle_is_delicate(foam, f));
   }
   renumber(foam);
-  if (!adapt) {
-    return;
-  }
-  factorised_ = true;
-  if (!response.empty()) {
-    for (const Index u : translation(region_, matrix_.unknowns(), before)) {
-      last_response_.push_back(u == kNone ? 0 : response[Foam::size(u)]);
-      bend_.push_back(u == kNone ? 0 : bend[Foam::size(u)]);
-    }
-  }
+  factorised_ = adapt;
 }
 
 void LagrangianSystem::renumber(const Foam& foam) {
@@ -65,8 +51,6 @@ void LagrangianSystem::renumber(const Foam& foam) {
   assembled_ = false;
   analysed_ = false;
   factorised_ = false;
-  last_response_.clear();
-  bend_.clear();
 }
 
 Residual LagrangianSystem::evaluate(const Foam& foam) {
@@ -203,7 +187,7 @@ bool LagrangianSystem::adapt(const Foam& foam) {
 const Step& LagrangianSystem::newton_step(const Foam& foam) {
   std::vector<double> change = load();
   factorisation_.solve(change);
-  extract(foam, change, step_);
+  extract(foam, change, angle_gradient_, {}, step_);
   return step_;
 }
 
@@ -216,7 +200,7 @@ const Step* LagrangianSystem::newton_step(const Foam& foam, double limit) {
   if (!solve(foam, change, rest, enough)) {
     return nullptr;
   }
-  extract(foam, change, step_);
+  extract(foam, change, angle_gradient_, {}, step_);
   return &step_;
 }
 
@@ -250,46 +234,44 @@ bool LagrangianSystem::solve(const Foam& foam, std::span<double> change, std::ve
 }
 
 const Step* LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate,
-                                       double drift) {
+                                       const Rates& expected, double drift) {
   if (!adapt(foam)) {
     return nullptr;
   }
   const Unknowns& unknowns = matrix_.unknowns();
-  std::vector<double> rest(Foam::size(unknowns.count()), 0.0);
+  std::vector<double> change(Foam::size(unknowns.count()), 0.0);
+  std::vector<double> rest(change.size(), 0.0);
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
     rest[Foam::size(unknowns.first_pressure()) + i] = -area_rate[Foam::size(region_.bubbles[i])];
   }
-  std::vector<double> change = last_response_;
-  change.resize(rest.size(), 0.0);
-  bend_.resize(rest.size(), 0.0);
-  std::ranges::transform(change, bend_, change.begin(), std::plus<>());
-  matrix_.subtract_product(change, rest);
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
+    const FilmShare& share = matrix_.shares()[i];
+    const std::array<double, 7> rates = expected.of_film(foam, region_.films[i]);
+    subtract_product(share, rates, rest);
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      if (share.unknown[k] != kNone) {
+        change[Foam::size(share.unknown[k])] = rates[k];
+      }
+    }
+  }
   if (drift == kAnyDrift) {
     factorisation_.solve(rest);
-    remove_rigid_motion(foam, rest);
     std::ranges::transform(change, rest, change.begin(), std::plus<>());
   } else if (!solve(foam, change, rest, drift)) {
-    last_response_.clear();
-    bend_.clear();
     return nullptr;
   }
-  if (last_response_.empty()) {
-    bend_.assign(change.size(), 0.0);
-  } else {
-    std::ranges::transform(change, last_response_, bend_.begin(), std::minus<>());
-  }
-  last_response_ = change;
-  angle_gradient_.assign(region_.films.size(), 0.0);
-  extract(foam, change, response_);
+  const std::vector<double> balanced(region_.films.size(), 0.0);
+  extract(foam, change, balanced, expected, response_);
   return &response_;
 }
 
 /// What residuals of the unknowns' equations are measured in: T for forces, the mean area, and
 /// T·spacing for half-angles.
-Residual LagrangianSystem::units(const Foam& foam) {
+Residual LagrangianSystem::units(const Foam& foam) const {
   const double tension = 2 * foam.surface_tension;
-  const double spacing = foam.mean_spacing();
-  return {.force = tension, .curvature = tension * spacing, .area = spacing * spacing};
+  return {.force = tension,
+          .curvature = tension * region_.spacing,
+          .area = region_.spacing * region_.spacing};
 }
 
 /// The largest dimensionless residual, areas in units of the mean.
@@ -352,7 +334,11 @@ Vec2 LagrangianSystem::chord_change(const Foam& foam, Index film, const Step& st
   return displacement(foam.end(2 * film), step) - displacement(foam.start(2 * film), step);
 }
 
-void LagrangianSystem::extract(const Foam& foam, std::span<double> change, Step& step) {
+/// \param angle_gradient that the change is to bring to zero, by place in region_.films
+/// \param held how what is held changes
+void LagrangianSystem::extract(const Foam& foam, std::span<double> change,
+                               std::span<const double> angle_gradient, const Rates& held,
+                               Step& step) const {
   remove_rigid_motion(foam, change);
   step.junctions.resize(region_.junctions.size());
   for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
@@ -374,7 +360,8 @@ void LagrangianSystem::extract(const Foam& foam, std::span<double> change, Step&
   }
   step.angles.resize(region_.films.size());
   for (std::size_t i = 0; i < region_.films.size(); ++i) {
-    step.angles[i] = matrix_.angle_change(i, angle_gradient_[i], change);
+    step.angles[i] =
+        matrix_.angle_change(i, angle_gradient[i], change, held.of_film(foam, region_.films[i]));
   }
 }
 

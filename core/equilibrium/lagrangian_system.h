@@ -2,13 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "equilibrium/factorisation.h"
 #include "equilibrium/newton_matrix.h"
+#include "equilibrium/rates.h"
 #include "equilibrium/region.h"
 #include "mesh/foam.h"
 
@@ -71,11 +72,12 @@ public:
 
   /// How the equilibrium moves per unit of time while target areas change at the given rates
   /// (cm²/s, by bubble), to first order. The last factorise() serves, be it of another state: what
-  /// it lacks is made up for by an iteration, which begins with what the last two responses lead to
-  /// expect, until the foam would leave its equilibrium no faster than at `drift` (1/s, of
-  /// dimensionless residuals, areas in units of the mean). \returns nothing if that is not reached;
-  /// kAnyDrift always is.
-  const Step* response(const Foam& foam, const std::vector<double>& area_rate, double drift);
+  /// it lacks is made up for by an iteration until the foam would leave its equilibrium no faster
+  /// than at `drift` (1/s, of dimensionless residuals, areas in units of the mean).
+  /// \param expected how what is held moves, and with what the iteration begins
+  /// \returns nothing if that is not reached; kAnyDrift always is.
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate,
+                       const Rates& expected, double drift);
   static constexpr double kAnyDrift = std::numeric_limits<double>::infinity();
 
   /// How a step changes the chord of a film, cm.
@@ -87,9 +89,10 @@ private:
   bool assemble(const Foam& foam, double shift);
   std::vector<double> load() const;
   bool solve(const Foam& foam, std::span<double> change, std::vector<double>& rest, double limit);
-  static Residual units(const Foam& foam);
+  Residual units(const Foam& foam) const;
   double largest(const Foam& foam, std::span<const double> rest) const;
-  void extract(const Foam& foam, std::span<double> change, Step& step);
+  void extract(const Foam& foam, std::span<double> change, std::span<const double> angle_gradient,
+               const Rates& held, Step& step) const;
   void remove_rigid_motion(const Foam& foam, std::span<double> change) const;
 
   Region region_;
@@ -109,8 +112,6 @@ private:
   std::vector<double> angle_gradient_; ///< by place in region_.films
   Step step_;
   Step response_;
-  std::vector<double> last_response_; ///< of the unknowns; empty if there was none
-  std::vector<double> bend_;          ///< from the response before that to the last one
 };
 
 } // namespace foam

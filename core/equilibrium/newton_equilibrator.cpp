@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/globalisation.h"
@@ -51,6 +52,7 @@ void NewtonEquilibrator::forget() {
 
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
+  foam.report = {};
   if (hemmed_in(foam)) {
     relax_compressible(foam, t1_length, aborted);
   }
@@ -67,7 +69,7 @@ bool NewtonEquilibrator::hemmed_in(const Foam& foam) {
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
                                                      const AbortCheck& aborted) {
   iterations_ = 0;
-  swaps_.assign(foam.film_angle.size(), 0);
+  swaps_.clear();
   relax_rough_spots(foam, t1_length, aborted);
   const auto outcome = relax(
       foam, whole_, [](const Foam& f, std::span<const Index>) { return whole_foam(f); }, tolerance,
@@ -99,7 +101,7 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Index> bubbles,
                                      const std::function<void(const Region&)>& prepare,
                                      const AbortCheck& aborted) {
   iterations_ = 0;
-  swaps_.assign(foam.film_angle.size(), 0);
+  swaps_.clear();
   return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, prepare, aborted);
 }
 
@@ -131,23 +133,25 @@ EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome)
 }
 
 const Step* NewtonEquilibrator::response(const Foam& foam, const std::vector<double>& area_rate,
-                                         double drift) {
+                                         const Rates& expected, double drift) {
   if (!whole_.fits(foam)) {
     whole_.set_up(foam, whole_foam(foam));
   }
-  return response(whole_, foam, area_rate, drift);
+  return response(whole_, foam, area_rate, expected, drift);
 }
 
 const Step* NewtonEquilibrator::patch_response(const Foam& foam,
-                                               const std::vector<double>& area_rate, double drift) {
-  return response(patch_, foam, area_rate, drift);
+                                               const std::vector<double>& area_rate,
+                                               const Rates& around, double drift) {
+  return response(patch_, foam, area_rate, around, drift);
 }
 
 const Step* NewtonEquilibrator::response(LagrangianSystem& system, const Foam& foam,
-                                         const std::vector<double>& area_rate, double drift) const {
-  const Step* step = system.response(foam, area_rate, drift);
+                                         const std::vector<double>& area_rate,
+                                         const Rates& expected, double drift) const {
+  const Step* step = system.response(foam, area_rate, expected, drift);
   if (step == nullptr && system.factorise(foam, kAnyEquilibrium)) {
-    step = system.response(foam, area_rate, LagrangianSystem::kAnyDrift);
+    step = system.response(foam, area_rate, expected, LagrangianSystem::kAnyDrift);
   }
   return step;
 }
@@ -261,9 +265,9 @@ bool NewtonEquilibrator::search_line(Foam& foam, LagrangianSystem& system, const
   return false;
 }
 
-/// The films that the step shortens further although they are short and pulled shut, the shortest
-/// first. Each swap of a film in one call asks for it to be four times shorter, so that no film is
-/// swapped back and forth. Three-sided bubbles keep their sides: they vanish by T2.
+/// The films that the step shortens further although they are short, the shortest first. Each swap
+/// of a film in one call asks for it to be four times shorter, so that no film is swapped back and
+/// forth.
 std::vector<Index> NewtonEquilibrator::closing_films(const Foam& foam,
                                                      const LagrangianSystem& system,
                                                      const Step& step, double t1_length) const {
@@ -274,9 +278,12 @@ std::vector<Index> NewtonEquilibrator::closing_films(const Foam& foam,
   std::vector<Candidate> candidates;
   for (const Index f : system.region().films) {
     const double length = foam.length(2 * f);
-    const int swaps = swaps_[Foam::size(f)];
-    if (swaps < kLargestSwapCount && length <= t1_length * std::pow(0.25, swaps) &&
-        dot(foam.chord(2 * f), system.chord_change(foam, f, step)) < 0) {
+    if (length > t1_length || dot(foam.chord(2 * f), system.chord_change(foam, f, step)) >= 0) {
+      continue;
+    }
+    const auto found = swaps_.find(f);
+    const int swaps = found == swaps_.end() ? 0 : found->second;
+    if (swaps < kLargestSwapCount && length <= t1_length * std::pow(0.25, swaps)) {
       candidates.push_back({length, f});
     }
   }
@@ -289,17 +296,17 @@ std::vector<Index> NewtonEquilibrator::closing_films(const Foam& foam,
 }
 
 /// Swaps those of the films that may be swapped and are pulled shut, no two at one junction.
-/// \returns the bubbles around them.
+/// Three-sided bubbles keep their sides: they vanish by T2. \returns the bubbles around them.
 std::vector<Index> NewtonEquilibrator::swap_films(Foam& foam, std::span<const Index> films) {
   std::vector<Index> touched;
-  std::vector<Index> used;
+  std::unordered_set<Index> used;
   for (const Index f : films) {
     const std::array ends{foam.start(2 * f), foam.end(2 * f)};
-    const bool free_ends = std::ranges::find_first_of(used, ends) == used.end();
+    const bool free_ends = !used.contains(ends[0]) && !used.contains(ends[1]);
     if (free_ends && spares_sides(foam, f) && can_perform_t1(foam, f) && pulled_shut(foam, f)) {
       perform_t1(foam, f);
-      ++swaps_[Foam::size(f)];
-      used.insert(used.end(), ends.begin(), ends.end());
+      ++swaps_[f];
+      used.insert(ends.begin(), ends.end());
       for (const Index j : ends) {
         for (const Index h : foam.junction_half[Foam::size(j)]) {
           touched.push_back(foam.left(h));

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "equilibrium/equilibrator.h"
@@ -40,15 +41,19 @@ public:
 
   /// How a foam in equilibrium moves while its target areas change (LagrangianSystem::response),
   /// in the order of region(); nothing if it has no definite response.
-  const Step* response(const Foam& foam, const std::vector<double>& area_rate, double drift);
+  const Step* response(const Foam& foam, const std::vector<double>& area_rate,
+                       const Rates& expected, double drift);
   const Region& region() const { return whole_.region(); }
-  /// The same of the last patch, in the order of patch_region().
-  const Step* patch_response(const Foam& foam, const std::vector<double>& area_rate, double drift);
+  /// The same of the last patch, in the order of patch_region(). \param around how the rest of the
+  /// foam moves
+  const Step* patch_response(const Foam& foam, const std::vector<double>& area_rate,
+                             const Rates& around, double drift);
   const Region& patch_region() const { return patch_.region(); }
 
 private:
   const Step* response(LagrangianSystem& system, const Foam& foam,
-                       const std::vector<double>& area_rate, double drift) const;
+                       const std::vector<double>& area_rate, const Rates& expected,
+                       double drift) const;
 
   struct Outcome {
     bool converged = false;
@@ -75,7 +80,7 @@ private:
   LagrangianSystem whole_;
   LagrangianSystem patch_;
   int iterations_ = 0;
-  std::vector<unsigned char> swaps_; ///< of each film in this call
+  std::unordered_map<Index, int> swaps_; ///< of films in this call
 };
 
 } // namespace foam

@@ -45,7 +45,7 @@ bool NewtonMatrix::angle_is_delicate(const Foam& foam, Index film) {
 
 void NewtonMatrix::set_up(const Foam& foam, const Region& region,
                           std::span<const char> keep_angle) {
-  unknowns_ = Unknowns(foam, region, keep_angle);
+  unknowns_.number(foam, region, keep_angle);
   films_.assign(region.films.size(), {});
   for (std::size_t i = 0; i < films_.size(); ++i) {
     films_[i].unknown = unknowns_.of_film(foam, region.films[i]);
@@ -65,7 +65,7 @@ std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& 
     }
   }
   const double tension = 2 * foam.surface_tension;
-  const double spacing = foam.mean_spacing();
+  const double spacing = region.spacing;
   junction_diagonal_ = (shift + kRegularisation) * tension / spacing;
   pressure_diagonal_ = -kRegularisation * spacing * spacing * spacing / tension;
   return unsafe;
@@ -109,16 +109,16 @@ void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<do
 }
 
 double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
-                                  std::span<const double> x) const {
+                                  std::span<const double> x,
+                                  const std::array<double, 7>& held) const {
   const FilmShare& film = films_[place];
   if (film.unknown[kAngle] != kNone) {
     return x[Foam::size(film.unknown[kAngle])];
   }
   double sum = angle_gradient;
   for (std::size_t k = 0; k < kAngle; ++k) {
-    if (film.unknown[k] != kNone) {
-      sum += film.value[kAngleRow + k] * x[Foam::size(film.unknown[k])];
-    }
+    const Index u = film.unknown[k];
+    sum += film.value[kAngleRow + k] * (u == kNone ? held[k] : x[Foam::size(u)]);
   }
   return -sum / film.value[kAngleRow + kAngle];
 }

@@ -40,8 +40,10 @@ public:
   /// What the eliminated angles' residuals ∂φ/∂α (by place) do to the unknowns: rhs +=
   /// Bᵀ·g/∂²φ/∂α².
   void condense(std::span<const double> angle_gradient, std::span<double> rhs) const;
-  /// An angle's change that belongs to the unknowns' change x.
-  double angle_change(std::size_t place, double angle_gradient, std::span<const double> x) const;
+  /// An angle's change that belongs to the unknowns' change x. \param held by how much the film's
+  /// variables that are held change
+  double angle_change(std::size_t place, double angle_gradient, std::span<const double> x,
+                      const std::array<double, 7>& held) const;
 
   /// from −= K·x.
   void subtract_product(std::span<const double> x, std::span<double> from) const;

@@ -2,6 +2,7 @@
 #include "equilibrium/region.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace foam {
 namespace {
@@ -10,6 +11,14 @@ void sort_unique(std::vector<Index>& v) {
   std::ranges::sort(v);
   const auto tail = std::ranges::unique(v);
   v.erase(tail.begin(), tail.end());
+}
+
+double mean_spacing(const Foam& foam, std::span<const Index> bubbles) {
+  double total = 0;
+  for (const Index b : bubbles) {
+    total += foam.target_area[Foam::size(b)];
+  }
+  return bubbles.empty() ? 0 : std::sqrt(total / static_cast<double>(bubbles.size()));
 }
 
 } // namespace
@@ -32,6 +41,7 @@ Region whole_foam(const Foam& foam) {
       region.bubbles.push_back(b);
     }
   }
+  region.spacing = mean_spacing(foam, region.bubbles);
   return region;
 }
 
@@ -85,6 +95,7 @@ Region patch(const Foam& foam, std::span<const Index> bubbles, int rings) {
   }
   sort_unique(region.films);
   sort_unique(region.rim);
+  region.spacing = mean_spacing(foam, region.bubbles);
   return region;
 }
 

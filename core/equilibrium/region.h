@@ -15,6 +15,7 @@ struct Region {
   std::vector<Index> bubbles;   ///< whose pressures change so that their areas are right
   std::vector<Index> rim;       ///< bubbles beyond the outermost films: their pressures are held
   bool whole = false;           ///< nothing is held but a container's wall
+  double spacing = 0;           ///< √(mean target area) of the bubbles, cm
 };
 
 /// All of a foam. Junctions and films on the wall of a sealed container are held.

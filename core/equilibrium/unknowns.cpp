@@ -3,21 +3,36 @@
 
 namespace foam {
 
-Unknowns::Unknowns(const Foam& foam, const Region& region, std::span<const char> keep_angle)
-    : junctions_(foam.position.size(), kNone), bubbles_(foam.pressure.size(), kNone),
-      angles_(foam.film_angle.size(), kNone) {
+void Unknowns::Numbers::clear(std::size_t capacity) {
+  for (const Index element : elements_) {
+    numbers_[Foam::size(element)] = kNone;
+  }
+  elements_.clear();
+  numbers_.resize(capacity, kNone);
+}
+
+void Unknowns::Numbers::put(Index element, Index number) {
+  elements_.push_back(element);
+  numbers_[Foam::size(element)] = number;
+}
+
+void Unknowns::number(const Foam& foam, const Region& region, std::span<const char> keep_angle) {
+  junctions_.clear(foam.position.size());
+  bubbles_.clear(foam.pressure.size());
+  angles_.clear(foam.film_angle.size());
+  count_ = 0;
   for (const Index j : region.junctions) {
-    junctions_[Foam::size(j)] = count_;
+    junctions_.put(j, count_);
     count_ += 2;
   }
   first_pressure_ = count_;
   for (const Index b : region.bubbles) {
-    bubbles_[Foam::size(b)] = count_++;
+    bubbles_.put(b, count_++);
   }
   first_angle_ = count_;
   for (std::size_t i = 0; i < region.films.size(); ++i) {
     if (keep_angle[i]) {
-      angles_[Foam::size(region.films[i])] = count_++;
+      angles_.put(region.films[i], count_++);
     }
   }
 }

@@ -14,9 +14,9 @@ namespace foam {
 /// then the half-angles that are kept.
 class Unknowns {
 public:
-  Unknowns() = default;
+  /// Costs no more than the region before and this one are large, but for the first time.
   /// \param keep_angle by place in region.films
-  Unknowns(const Foam& foam, const Region& region, std::span<const char> keep_angle);
+  void number(const Foam& foam, const Region& region, std::span<const char> keep_angle);
 
   Index count() const { return count_; }
   Index first_pressure() const { return first_pressure_; }
@@ -24,18 +24,28 @@ public:
 
   // Numbers, or kNone for what is held, eliminated, or was not there when this was set up.
   /// Of x; that of y follows.
-  Index junction(Index junction) const { return at(junctions_, junction); }
-  Index bubble(Index bubble) const { return bubble == kWorld ? kNone : at(bubbles_, bubble); }
-  Index angle(Index film) const { return at(angles_, film); }
+  Index junction(Index junction) const { return junctions_.at(junction); }
+  Index bubble(Index bubble) const { return bubble == kWorld ? kNone : bubbles_.at(bubble); }
+  Index angle(Index film) const { return angles_.at(film); }
   /// In the order of FilmLagrangian.
   std::array<Index, 7> of_film(const Foam& foam, Index film) const;
 
 private:
-  static Index at(const std::vector<Index>& numbers, Index i) {
-    return Foam::size(i) < numbers.size() ? numbers[Foam::size(i)] : kNone;
-  }
+  /// Of some elements among many.
+  class Numbers {
+  public:
+    void clear(std::size_t capacity);
+    void put(Index element, Index number);
+    Index at(Index element) const {
+      return Foam::size(element) < numbers_.size() ? numbers_[Foam::size(element)] : kNone;
+    }
 
-  std::vector<Index> junctions_, bubbles_, angles_; ///< by junction, bubble and film
+  private:
+    std::vector<Index> numbers_;  ///< by element
+    std::vector<Index> elements_; ///< that have one
+  };
+
+  Numbers junctions_, bubbles_, angles_;
   Index first_pressure_ = 0;
   Index first_angle_ = 0;
   Index count_ = 0;

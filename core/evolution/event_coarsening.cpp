@@ -66,10 +66,11 @@ void EventCoarsening::restart(Foam foam) {
 }
 
 void EventCoarsening::undo(State state) {
+  const std::uint64_t topology = foam_.topology + 1; // no one shall take it for one seen before
   foam_ = std::move(state.foam);
+  foam_.topology = topology;
   motion_ = std::move(state.motion);
   patience_ = std::move(state.patience);
-  newton_.forget();
 }
 
 bool EventCoarsening::advance(const AbortCheck& aborted) {
@@ -79,14 +80,17 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
     bool possible = integrate(false, aborted);
     if (!possible || !foam_.report.converged) {
       undo(before);
+      newton_.forget();
       possible = integrate(true, aborted);
     }
     if (!possible || !is_a_foam(foam_)) {
       undo(before);
+      newton_.forget();
       return false;
     }
-  } catch (const Aborted&) {
+  } catch (...) {
     undo(before);
+    newton_.forget();
     throw;
   }
   foam_.time = before.foam.time + options_.time_step;
@@ -152,7 +156,7 @@ void EventCoarsening::balance_gas() {
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
   std::vector<double> rates = area_rates(foam_, options_.permeability);
-  const Step* response = newton_.response(foam_, rates, drift());
+  const Step* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {
     motion_.take_whole(newton_.region(), *response, !careful_);
@@ -376,23 +380,13 @@ void EventCoarsening::move_on() {
     return;
   }
   const Region& region = newton_.patch_region();
-  if (foam_.boundary == Boundary::Fixed) { // gas transfer at the wall depends on the whole wall
-    motion_.bring_all(foam_, now_);
-    motion_.set_area_rates(area_rates(foam_, options_.permeability));
-    for (const Index b : region.bubbles) {
-      motion_.hold_wall(foam_, b);
-    }
-  } else {
-    for (const Index b : region.bubbles) {
-      motion_.set_area_rate(b, von_neumann_rate(foam_, b, options_.permeability));
-    }
+  for (const Index b : region.bubbles) {
+    motion_.set_area_rate(b, area_rate(foam_, b, options_.permeability));
+    motion_.hold_wall(foam_, b);
   }
-  if (const Step* response = newton_.patch_response(foam_, motion_.area_rates(), drift())) {
+  if (const Step* response =
+          newton_.patch_response(foam_, motion_.area_rates(), motion_.rates(), drift())) {
     motion_.take_patch(region, *response);
-  }
-  if (foam_.boundary == Boundary::Fixed) {
-    expect_all();
-    return;
   }
   std::ranges::for_each(region.bubbles, [this](Index b) { expect_bubble(b); });
   std::ranges::for_each(region.films, [this](Index f) { expect_film(f); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evolution/motion.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace foam {
@@ -36,6 +38,12 @@ template <class Value> void Motion::Course<Value>::rest() {
 template <class Value> void Motion::Course<Value>::bring(Value& value, std::size_t i, double now) {
   value += (now - time[i]) * rate[i];
   time[i] = now;
+}
+
+template <class Value> std::span<const Value> Motion::Course<Value>::expected() {
+  ahead.resize(rate.size());
+  std::ranges::transform(rate, bend, ahead.begin(), std::plus<>());
+  return ahead;
 }
 
 void Motion::begin(const Foam& foam, std::vector<double> area_rates, double now) {
@@ -130,6 +138,10 @@ void Motion::finish(Foam& foam, double now) {
   for (std::size_t b = 0; b < foam.pressure.size(); ++b) {
     foam.pressure[b] += half * pressures_.bend[b];
   }
+}
+
+Rates Motion::expected() {
+  return {junctions_.expected(), angles_.expected(), pressures_.expected()};
 }
 
 Vec2 Motion::chord_rate(const Foam& foam, Index film) const {

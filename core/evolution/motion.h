@@ -36,8 +36,10 @@ public:
   /// The same, to second order where a whole response has held from the beginning.
   void finish(Foam& foam, double now);
 
-  void set_area_rates(std::vector<double> rates) { area_rates_ = std::move(rates); }
   const std::vector<double>& area_rates() const { return area_rates_; }
+  Rates rates() const { return {junctions_.rate, angles_.rate, pressures_.rate}; }
+  /// What they will be if they go on changing as they did; until the next call.
+  Rates expected();
   double area_rate(Index bubble) const { return area_rates_[Foam::size(bubble)]; }
   double angle_rate(Index film) const { return angles_.rate[Foam::size(film)]; }
   Vec2 chord_rate(const Foam& foam, Index film) const;
@@ -48,12 +50,14 @@ private:
     std::vector<Value> bend;  ///< of the rate in all, per s
     std::vector<char> steady; ///< the rate is a whole response's
     std::vector<double> time; ///< where it stands, s
+    std::vector<Value> ahead; ///< the rates expected next
 
     void begin(std::size_t count, double now);
     void take_whole(Index i, const Value& rate, bool bend);
     void take_patch(Index i, const Value& rate);
     void rest();
     void bring(Value& value, std::size_t i, double now);
+    std::span<const Value> expected();
   };
   void bring_bubble(Foam& foam, Index bubble, double now);
 

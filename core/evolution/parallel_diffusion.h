@@ -16,26 +16,12 @@ struct AreaRate {
   double permeability = 0; ///< κ
 
   FOAM_HOST_DEVICE double operator()(Index bubble) const {
-    if (!at_wall(bubble)) {
-      return constant * (mesh.sides[bubble] - 6);
-    }
-    double inflow = 0; // −κ·Σ l·Δp (thesis 2.4.1)
-    for_each_half(mesh, bubble, [&](Index h) {
-      if (!mesh.wall(h)) {
-        inflow -= permeability * mesh.length(h) *
-                  (mesh.pressure[bubble] - mesh.pressure_of(mesh.right(h)));
-      }
-    });
-    return inflow;
+    return at_wall(mesh, bubble) ? gas_transfer(mesh, bubble, permeability)
+                                 : constant * (mesh.sides[bubble] - 6);
   }
 
   /// Whether the bubble takes a share of what the total is off.
-  FOAM_HOST_DEVICE bool evens_out(Index bubble) const { return at_wall(bubble); }
-
-private:
-  FOAM_HOST_DEVICE bool at_wall(Index bubble) const {
-    return mesh.boundary == Boundary::Fixed && mesh.bubble_on_world(bubble);
-  }
+  FOAM_HOST_DEVICE bool evens_out(Index bubble) const { return at_wall(mesh, bubble); }
 };
 
 /// Of a foam on a machine. \param permeability κ

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "mesh/foam.h"
+
+namespace foam {
+
+/// How fast everything in a foam moves, by element; empty where nothing does.
+struct Rates {
+  std::span<const Vec2> junctions;   ///< cm/s
+  std::span<const double> angles;    ///< of films, rad/s
+  std::span<const double> pressures; ///< of bubbles, N/(cm² s)
+
+  /// Of the variables of a film, in the order of FilmLagrangian.
+  std::array<double, 7> of_film(const Foam& foam, Index film) const {
+    if (junctions.empty()) {
+      return {};
+    }
+    const Index h = 2 * film;
+    const Vec2 start = junctions[Foam::size(foam.start(h))];
+    const Vec2 end = junctions[Foam::size(foam.end(h))];
+    const auto pressure = [&](Index bubble) {
+      return bubble == kWorld ? 0 : pressures[Foam::size(bubble)];
+    };
+    return {start.x,
+            start.y,
+            end.x,
+            end.y,
+            pressure(foam.left(h)),
+            pressure(foam.right(h)),
+            angles[Foam::size(film)]};
+  }
+};
+
+} // namespace foam

@@ -24,6 +24,8 @@ import benchmark_page
 
 HERE = Path(__file__).resolve().parent
 CORES = os.sched_getaffinity(0)
+STEPS = 50  # of evolver/coarsen.cmd too
+PATIENCE = 1800  # s of wall time for one run of a program
 
 
 def parse_arguments():
@@ -61,9 +63,11 @@ class Measurement:
         script = self.output / "evolver.cmd"
         script.write_text(commands)
         text = run_to_end(["evolver", f"-f{script}", start])
-        energy = re.findall(r"E ([\d.]+)", text)[-1]
-        seconds = re.search(r"per step ([\d.]+)" if work == "steps" else r"FINAL .* cpu ([\d.]+)", text)[1]
-        self.keep("evolver", {"work": work, "bubbles": bubbles, "cpu": float(seconds), "length": float(energy)})
+        energies = re.findall(r"E ([\d.]+)", text)
+        seconds = re.search(r"per step ([\d.]+)" if work == "steps" else r"FINAL .* cpu ([\d.]+)", text)
+        if not energies or not seconds:
+            raise ValueError(f"evolver does not say how long its {work} of {bubbles} bubbles took, but: {text[-400:]}")
+        self.keep("evolver", {"work": work, "bubbles": bubbles, "cpu": float(seconds[1]), "length": float(energies[-1])})
 
     def keep(self, program, figures):
         print(program, json.dumps(figures), flush=True)
@@ -75,7 +79,7 @@ def run_to_end(command):
     """A program's output. It does not outlive this one, though Surface Evolver ignores a polite request to end."""
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True) as program:
         try:
-            text, _ = program.communicate()
+            text, _ = program.communicate(timeout=PATIENCE)
         finally:
             program.kill()
     if program.returncode:
@@ -93,15 +97,15 @@ def measure(measurement, quick):
     for bubbles in (100, 1000) if quick else (100, 300, 1000, 3000, 10000):
         measurement.foam("equilibrium", bubbles, start)
         measurement.evolver("equilibrium", bubbles, start, ["relax.cmd"])
-        if bubbles in (100, 1000):
-            measurement.foam("steps", bubbles, 50)
-            if not quick or bubbles == 100:
-                measurement.evolver("steps", bubbles, start, ["relax.cmd", "coarsen.cmd"])
+        measurement.foam("steps", bubbles, STEPS)
+        if bubbles <= (100 if quick else 3000):
+            measurement.evolver("steps", bubbles, start, ["relax.cmd", "coarsen.cmd"])
     if quick:
         measurement.foam("frames", 2000, 10, 1e-6)
         return
     for bubbles in (30000, 100000):
         measurement.foam("equilibrium", bubbles)
+        measurement.foam("steps", bubbles, STEPS)
     for bubbles in (100, 300, 1000, 3000, 10000, 30000, 100000):
         measurement.foam("frames", bubbles, 100, 1e-6)
     measurement.foam("frames", 10000, 100, 1e-6, cores=len(CORES))
@@ -124,5 +128,5 @@ if __name__ == "__main__":
     signal.signal(signal.SIGTERM, lambda *_: sys.exit("compare.py: stopped"))
     try:
         main()
-    except (OSError, subprocess.CalledProcessError) as error:
+    except (OSError, ValueError, subprocess.SubprocessError) as error:
         sys.exit(f"compare.py: {error}")

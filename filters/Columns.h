@@ -17,9 +17,9 @@ template <class Array, class Elements, class Value>
 void add_column(vtkFieldData* data, const char* name, const Elements& elements, Value value) {
   vtkNew<Array> column;
   column->SetName(name);
-  column->Allocate(static_cast<vtkIdType>(std::size(elements)));
+  auto* next = column->WritePointer(0, static_cast<vtkIdType>(std::size(elements)));
   for (const auto& element : elements) {
-    column->InsertNextValue(static_cast<typename Array::ValueType>(value(element)));
+    *next++ = static_cast<typename Array::ValueType>(value(element));
   }
   data->AddArray(column);
 }

@@ -111,6 +111,10 @@ template <class Mesh> struct MeshAccess {
 
   /// Area of a bubble: its polygon and the segments of its arcs (thesis 3.3.12), cm².
   FOAM_HOST_DEVICE double area(Index b) const {
+    return area(b, [this](Index h) { return segment_area(norm(chord(h)), half_angle(h)); });
+  }
+  /// The same. \param segment segment(h) is the area between a half-film and its chord
+  template <class Segment> FOAM_HOST_DEVICE double area(Index b, const Segment& segment) const {
     double twice_polygon = 0;
     double segments = 0;
     Vec2
@@ -118,7 +122,7 @@ template <class Mesh> struct MeshAccess {
     for_each_half(mesh(), b, [&](Index h) {
       const Vec2 d = chord(h);
       twice_polygon += cross(at, d);
-      segments += segment_area(norm(d), half_angle(h));
+      segments += segment(h);
       at += d;
     });
     return 0.5 * twice_polygon + segments;

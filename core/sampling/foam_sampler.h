@@ -13,7 +13,7 @@
 #include "sampling/arcs.h"
 #include "sampling/polygon.h"
 #include "sampling/sampled_foam.h"
-#include "statistics/parallel_statistics.h"
+#include "statistics/bubble_records.h"
 
 namespace foam {
 namespace detail {
@@ -121,6 +121,7 @@ struct MeasureFilm {
   static constexpr std::size_t kLeastPerThread = 2048;
 
   FoamView mesh;
+  const ArcMeasures* arcs = nullptr;
   const Index* films = nullptr;
   const std::int64_t* id = nullptr;
   std::int64_t* left = nullptr;
@@ -139,7 +140,7 @@ struct MeasureFilm {
     right[i] = name(beyond);
     curvature[i] = arc_curvature(norm(mesh.chord(half)), mesh.half_angle(half));
     pressure_difference[i] = mesh.pressure_of(bubble) - mesh.pressure_of(beyond);
-    length[i] = mesh.length(half);
+    length[i] = arcs[films[i]].length;
     half_angle[i] = mesh.half_angle(half);
     on_boundary[i] = mesh.on_world(half) ? 1 : 0;
   }
@@ -228,12 +229,12 @@ public:
   /// sample() of the foam but for its record.
   SampledFoam sample(const FoamView& mesh, const BubbleNames<Machine>& names, double chord_error) {
     SampledFoam sampled;
-    sampled.energy = film_energy(machine_, mesh);
     records_.measure(mesh, names);
     const detail::FilmPlaces place =
         place_films(mesh, chord_error > 0 ? chord_error : mean_spacing(mesh) / 200);
     place_bubbles(mesh, place);
     measure_films(mesh, names);
+    sampled.energy = records_.energy(mesh);
     sampled.films = fetch_films();
     sampled.bubbles = {fetch(std::move(bubble_points_)), fetch(std::move(bubble_offsets_)),
                        records_.fetch_records()};
@@ -285,8 +286,8 @@ private:
     half_angle_.resize(length);
     on_boundary_.resize(length);
     machine_.for_each(films_.count(),
-                      detail::MeasureFilm{mesh, films_.list(), names.id.data(), left_.data(),
-                                          right_.data(), curvature_.data(),
+                      detail::MeasureFilm{mesh, records_.arcs(), films_.list(), names.id.data(),
+                                          left_.data(), right_.data(), curvature_.data(),
                                           pressure_difference_.data(), length_.data(),
                                           half_angle_.data(), on_boundary_.data()});
   }

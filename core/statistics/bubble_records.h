@@ -10,6 +10,7 @@
 
 #include "mesh/foam_view.h"
 #include "parallel/host.h"
+#include "parallel/kernels.h"
 #include "parallel/numbering.h"
 #include "statistics/statistics.h"
 
@@ -28,9 +29,11 @@ private:
   static std::vector<Index> in_ascending_order(const std::vector<std::int64_t>& bubble_id) {
     std::vector<Index> order(bubble_id.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return bubble_id[static_cast<std::size_t>(a)] < bubble_id[static_cast<std::size_t>(b)];
-    });
+    if (!std::is_sorted(bubble_id.begin(), bubble_id.end())) {
+      std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+        return bubble_id[static_cast<std::size_t>(a)] < bubble_id[static_cast<std::size_t>(b)];
+      });
+    }
     return order;
   }
 };
@@ -47,10 +50,42 @@ struct PresentBubble {
   }
 };
 
-struct RecordBubble {
-  static constexpr std::size_t kLeastPerThread = 1024;
+/// What takes long to compute of an arc, and is asked for by both of its sides.
+struct ArcMeasures {
+  double length = 0;  ///< cm
+  double segment = 0; ///< area between arc and chord as seen from half-film 2f, cm²
+};
+
+struct MeasureArc {
+  static constexpr std::size_t kLeastPerThread = 2048;
 
   FoamView mesh;
+  ArcMeasures* arcs = nullptr;
+
+  FOAM_HOST_DEVICE void operator()(Index film) const {
+    if (mesh.has_film(film)) {
+      const double chord = norm(mesh.chord(2 * film));
+      const double alpha = mesh.half_angle(2 * film);
+      arcs[film] = {arc_length(chord, alpha), segment_area(chord, alpha)};
+    }
+  }
+};
+
+/// tense_length() of films whose arcs have been measured.
+struct TenseLength {
+  FoamView mesh;
+  const ArcMeasures* arcs = nullptr;
+
+  FOAM_HOST_DEVICE double operator()(Index film) const {
+    return mesh.has_film(film) && !mesh.wall(2 * film) ? arcs[film].length : 0;
+  }
+};
+
+struct RecordBubble {
+  static constexpr std::size_t kLeastPerThread = 2048;
+
+  FoamView mesh;
+  const ArcMeasures* arcs = nullptr;
   const std::int64_t* id = nullptr;
   const Index* bubbles = nullptr;
   BubbleStatistics* records = nullptr;
@@ -59,11 +94,15 @@ struct RecordBubble {
     const Index bubble = bubbles[i];
     BubbleStatistics record;
     record.id = id[bubble];
-    record.area = mesh.area(bubble);
+    record.area = mesh.area(bubble, [this](Index h) {
+      const double segment = arcs[FoamView::film_of(h)].segment;
+      return h & 1 ? -segment : segment;
+    });
     record.target_area = mesh.target_area[bubble];
     record.pressure = mesh.pressure[bubble];
     record.sides = mesh.sides[bubble];
-    for_each_half(mesh, bubble, [&](Index h) { record.perimeter += mesh.length(h); });
+    for_each_half(mesh, bubble,
+                  [&](Index h) { record.perimeter += arcs[FoamView::film_of(h)].length; });
     record.on_boundary = mesh.bubble_on_world(bubble);
     records[i] = record;
   }
@@ -79,14 +118,25 @@ public:
   void measure(const FoamView& mesh, const BubbleNames<Machine>& names) {
     bubbles_.find(mesh.bubbles, detail::PresentBubble{mesh, names.ascending.data()});
     records_.resize(FoamView::size(bubbles_.count()));
-    machine_.for_each(bubbles_.count(), detail::RecordBubble{mesh, names.id.data(), bubbles_.list(),
-                                                             records_.data()});
+    arcs_.resize(FoamView::size(mesh.films));
+    machine_.for_each(mesh.films, detail::MeasureArc{mesh, arcs_.data()});
+    machine_.for_each(bubbles_.count(), detail::RecordBubble{mesh, arcs_.data(), names.id.data(),
+                                                             bubbles_.list(), records_.data()});
+  }
+
+  /// Film energy 2γ·Σl of the mesh that has been measured, N (Foam::energy).
+  double energy(const FoamView& mesh) {
+    return 2 * mesh.surface_tension *
+           machine_.reduce(mesh.films, 0.0, detail::TenseLength{mesh, arcs_.data()},
+                           parallel::Add{});
   }
 
   Index count() const { return bubbles_.count(); }
   /// The bubbles' places in the mesh.
   const Index* bubbles() const { return bubbles_.list(); }
   const BubbleStatistics* records() const { return records_.data(); }
+  /// By film of the mesh.
+  const detail::ArcMeasures* arcs() const { return arcs_.data(); }
 
   /// The records, for this machine; only measure() may follow.
   std::vector<BubbleStatistics> fetch_records() { return fetch(std::move(records_)); }
@@ -95,6 +145,7 @@ private:
   Machine& machine_;
   parallel::Numbering<Machine> bubbles_;
   typename Machine::template Array<BubbleStatistics> records_;
+  typename Machine::template Array<detail::ArcMeasures> arcs_;
 };
 
 } // namespace foam

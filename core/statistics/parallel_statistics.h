@@ -83,19 +83,7 @@ struct AddSums {
   }
 };
 
-struct TenseLength {
-  FoamView mesh;
-
-  FOAM_HOST_DEVICE double operator()(Index film) const { return tense_length(mesh, film); }
-};
-
 } // namespace detail
-
-/// Film energy 2γ·Σl, N (Foam::energy).
-template <class Machine> double film_energy(Machine& machine, const FoamView& mesh) {
-  return 2 * mesh.surface_tension *
-         machine.reduce(mesh.films, 0.0, detail::TenseLength{mesh}, parallel::Add{});
-}
 
 template <class Machine> class ParallelStatistics {
 public:
@@ -118,7 +106,7 @@ public:
       by_sides.push_back(sums_with(n));
     }
     FoamStatistics result = averages(by_sides);
-    result.energy = film_energy(machine_, mesh);
+    result.energy = records_.energy(mesh);
     result.each = records_.fetch_records();
     return result;
   }

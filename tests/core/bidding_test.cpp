@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "../two_sided_bubbles.h"
 #include "evolution/collapse_bids.h"
 #include "foams.h"
 #include "hand_made.h"
@@ -18,20 +19,6 @@ namespace foam {
 namespace {
 
 using Bids = CollapseBids<ThesisRules>;
-
-/// Swaps films of small bubbles until many of them have two sides.
-Foam with_two_sided_bubbles(Foam foam) {
-  for (int pass = 0; pass < 3; ++pass) {
-    for (Index f = 0; f < foam.film_capacity(); ++f) {
-      const auto few = [&](Index b) { return b != kWorld && foam.sides[Foam::size(b)] <= 5; };
-      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
-        perform_t1(foam, f);
-      }
-    }
-  }
-  expect_valid(foam);
-  return foam;
-}
 
 /// A machine that calls its kernels one by one in an order of its own.
 class Shuffled {
@@ -191,7 +178,8 @@ TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
 }
 
 TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
-  const Foam start = with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 3));
+  const Foam start = test::with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 3));
+  expect_valid(start);
   const ThesisRules rules{.limit = {.t1_length = 0, .t2_area = 1e9},
                           .two_sided = TwoSidedBubbles::Remove};
   const Collapsed rounds = collapsed(Host(), start, rules);
@@ -202,7 +190,8 @@ TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
 }
 
 TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
-  Foam serial = with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 4));
+  Foam serial = test::with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 4));
+  expect_valid(serial);
   Foam parallel = serial;
   const ThesisRules rules{.limit = {.t1_length = 0.05, .t2_area = 0},
                           .two_sided = TwoSidedBubbles::Slide};

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "../two_sided_bubbles.h"
 #include "build/honeycomb.h"
 #include "equilibrium/krylov_equilibrator.h"
 #include "foams.h"
@@ -66,23 +67,9 @@ private:
   CompressedMatrix<Host> compressed_{host_};
 };
 
-/// Swaps films until some bubbles have two sides, whose neighbours then meet in two films.
-Foam with_two_sided_bubbles() {
-  Foam foam = disordered(6);
-  for (int pass = 0; pass < 3; ++pass) {
-    for (Index f = 0; f < foam.film_capacity(); ++f) {
-      const auto few = [&](Index b) { return foam.sides[Foam::size(b)] <= 5; };
-      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
-        swap_film(foam, f);
-      }
-    }
-  }
-  return foam;
-}
-
 /// One that has lost two-sided bubbles, so that its arrays have gaps.
 Foam with_gaps() {
-  Foam foam = with_two_sided_bubbles();
+  Foam foam = test::with_two_sided_bubbles(disordered(6));
   for (Index b = 0; b < foam.bubble_capacity(); ++b) {
     if (foam.sides[Foam::size(b)] == 2 && can_perform_t3(foam, b)) {
       perform_t3(foam, b);
@@ -129,13 +116,13 @@ TEST(CompressedMatrix, IsThatOfTheProducts) {
 
 TEST(CompressedMatrix, AddsUpWhatFilmsHaveInCommon) {
   expect_both_the_same(test::double_bubble(1, 2)); // whose three films join the same junctions
-  const Foam foam = with_two_sided_bubbles();
+  const Foam foam = test::with_two_sided_bubbles(disordered(6));
   ASSERT_GT(std::ranges::count(foam.sides, 2), 0);
   expect_both_the_same(foam);
 }
 
 TEST(CompressedMatrix, IsTheSameForAnyNumberOfThreads) {
-  Foam foam = with_two_sided_bubbles();
+  Foam foam = test::with_two_sided_bubbles(disordered(6));
   BothMatrices by_one(foam);
   BothMatrices by_three(foam, 3);
   const LowerTriangle a = by_one.assemble();

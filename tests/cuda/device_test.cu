@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "../two_sided_bubbles.h"
 #include "algebra/device_direct_solver.h"
 #include "build/honeycomb.h"
 #include "equilibrium/compressed_matrix.h"
@@ -225,22 +226,8 @@ void bidding() {
   EXPECT_NEAR(largest_difference(fetched.target_area, foam.target_area), 0, 1e-9);
 }
 
-/// Swaps films until many bubbles have two sides.
-Foam with_two_sided_bubbles() {
-  Foam foam = disordered();
-  for (int pass = 0; pass < 3; ++pass) {
-    for (Index f = 0; f < foam.film_capacity(); ++f) {
-      const auto few = [&](Index b) { return foam.sides[Foam::size(b)] <= 5; };
-      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
-        swap_film(foam, f);
-      }
-    }
-  }
-  return foam;
-}
-
 void sliding() {
-  Foam foam = with_two_sided_bubbles();
+  Foam foam = test::with_two_sided_bubbles(disordered());
   DeviceFoam device;
   device.upload(foam);
   Gpu gpu;

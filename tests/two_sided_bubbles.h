@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/foam.h"
+#include "topology/operations.h"
+
+namespace foam::test {
+
+/// Swaps films of a foam until many of its bubbles have two sides, so that two films are between
+/// the neighbours of each.
+inline Foam with_two_sided_bubbles(Foam foam) {
+  for (int pass = 0; pass < 3; ++pass) {
+    for (Index f = 0; f < foam.film_capacity(); ++f) {
+      const auto few = [&](Index b) { return b != kWorld && foam.sides[Foam::size(b)] <= 5; };
+      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
+        perform_t1(foam, f);
+      }
+    }
+  }
+  return foam;
+}
+
+} // namespace foam::test

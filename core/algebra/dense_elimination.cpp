@@ -20,6 +20,11 @@ namespace {
 using Pack2 = double __attribute__((vector_size(16)));
 using Pack4 = double __attribute__((vector_size(32)));
 using Pack8 = double __attribute__((vector_size(64)));
+// As many in single precision.
+template <class Pack> struct Single;
+template <> struct Single<Pack2> { using Pack = float __attribute__((vector_size(8))); };
+template <> struct Single<Pack4> { using Pack = float __attribute__((vector_size(16))); };
+template <> struct Single<Pack8> { using Pack = float __attribute__((vector_size(32))); };
 
 constexpr std::size_t kTileRows = 8;
 constexpr std::size_t kTileColumns = 6;
@@ -31,6 +36,12 @@ template <class Pack> constexpr std::size_t kWidth = sizeof(Pack) / sizeof(doubl
 
 template <class Pack> FOAM_INLINE void load(const double* from, Pack& pack) {
   std::memcpy(&pack, from, sizeof pack);
+}
+
+template <class Pack> FOAM_INLINE void load(const float* from, Pack& pack) {
+  typename Single<Pack>::Pack rounded;
+  std::memcpy(&rounded, from, sizeof rounded);
+  pack = __builtin_convertvector(rounded, Pack);
 }
 
 /// A matrix in memory, column by column.
@@ -176,8 +187,8 @@ FOAM_INLINE bool eliminate(std::span<double> columns, std::span<double> rest,
 }
 
 /// Products of `columns` columns, one after the other in memory, with one vector, in `result`.
-template <class Pack, std::size_t columns>
-FOAM_INLINE void products(const double* first, std::size_t stride, const double* with,
+template <class Pack, std::size_t columns, class Entry>
+FOAM_INLINE void products(const Entry* first, std::size_t stride, const double* with,
                           std::size_t size, double* result) {
   constexpr std::size_t packs = kTileRows / kWidth<Pack>;
   Pack sums[columns][packs] = {};
@@ -208,8 +219,8 @@ FOAM_INLINE void products(const double* first, std::size_t stride, const double*
 }
 
 /// to −= Σ factor·column, of `columns` columns.
-template <std::size_t columns>
-FOAM_INLINE void subtract_columns(const double* first, std::size_t stride, const double* factor,
+template <std::size_t columns, class Entry>
+FOAM_INLINE void subtract_columns(const Entry* first, std::size_t stride, const double* factor,
                                   std::size_t size, double* to) {
   for (std::size_t i = 0; i < size; ++i) {
     double sum = 0;
@@ -222,70 +233,59 @@ FOAM_INLINE void subtract_columns(const double* first, std::size_t stride, const
 
 constexpr std::size_t kTogether = 4; // columns that share the loading of a vector
 
-FOAM_INLINE void lower(std::span<const double> columns, std::span<double> own,
-                       std::span<double> rest) {
-  const std::size_t count = own.size();
-  const std::size_t size = count + rest.size();
+template <class Entry> FOAM_INLINE void lower(std::span<const Entry> columns, std::span<double> x) {
+  const std::size_t size = x.size();
+  const std::size_t count = columns.empty() ? 0 : columns.size() / size;
   const auto column = [&](std::size_t k) { return columns.data() + k * size; };
   std::size_t k = 0;
   for (; k + kTogether <= count; k += kTogether) {
     const std::size_t next = k + kTogether;
     for (std::size_t i = k; i < next; ++i) {
-      subtract_columns<1>(column(i) + i + 1, size, &own[i], next - i - 1, own.data() + i + 1);
+      subtract_columns<1>(column(i) + i + 1, size, &x[i], next - i - 1, x.data() + i + 1);
     }
-    subtract_columns<kTogether>(column(k) + next, size, &own[k], count - next, own.data() + next);
-    subtract_columns<kTogether>(column(k) + count, size, &own[k], rest.size(), rest.data());
+    subtract_columns<kTogether>(column(k) + next, size, &x[k], size - next, x.data() + next);
   }
   for (; k < count; ++k) {
-    subtract_columns<1>(column(k) + k + 1, size, &own[k], count - k - 1, own.data() + k + 1);
-    subtract_columns<1>(column(k) + count, size, &own[k], rest.size(), rest.data());
+    subtract_columns<1>(column(k) + k + 1, size, &x[k], size - k - 1, x.data() + k + 1);
   }
 }
 
-template <class Pack>
-FOAM_INLINE void upper(std::span<const double> columns, std::span<double> own,
-                       std::span<const double> rest) {
-  const std::size_t count = own.size();
-  const std::size_t size = count + rest.size();
+template <class Pack, class Entry>
+FOAM_INLINE void upper(std::span<const Entry> columns, std::span<double> x) {
+  const std::size_t size = x.size();
+  const std::size_t count = columns.empty() ? 0 : columns.size() / size;
   const auto column = [&](std::size_t k) { return columns.data() + k * size; };
   double sums[kTogether];
   std::size_t k = count;
   for (; k % kTogether != 0; --k) {
-    products<Pack, 1>(column(k - 1) + k, size, own.data() + k, count - k, sums);
-    own[k - 1] -= sums[0];
-    products<Pack, 1>(column(k - 1) + count, size, rest.data(), rest.size(), sums);
-    own[k - 1] -= sums[0];
+    products<Pack, 1>(column(k - 1) + k, size, x.data() + k, size - k, sums);
+    x[k - 1] -= sums[0];
   }
   for (; k > 0; k -= kTogether) {
     const std::size_t first = k - kTogether;
-    for (const auto& [from, with] :
-         {std::pair{k, std::span<const double>(own).subspan(k)}, std::pair{count, rest}}) {
-      products<Pack, kTogether>(column(first) + from, size, with.data(), with.size(), sums);
-      for (std::size_t j = 0; j < kTogether; ++j) {
-        own[first + j] -= sums[j];
-      }
+    products<Pack, kTogether>(column(first) + k, size, x.data() + k, size - k, sums);
+    for (std::size_t j = 0; j < kTogether; ++j) {
+      x[first + j] -= sums[j];
     }
     for (std::size_t i = k - 1; i > first; --i) {
       for (std::size_t j = first; j < i; ++j) {
-        own[j] -= column(j)[i] * own[i];
+        x[j] -= column(j)[i] * x[i];
       }
     }
   }
 }
 
-/// The three for one kind of processor.
+/// All of it for one kind of processor.
 #define FOAM_DEFINE(kind, Pack)                                                                    \
   bool eliminate_##kind(std::span<double> columns, std::span<double> rest,                         \
                         std::span<double> pivots, double least) {                                  \
     return eliminate<Pack>(columns, rest, pivots, least);                                          \
   }                                                                                                \
-  void lower_##kind(std::span<const double> columns, std::span<double> own,                        \
-                    std::span<double> rest) {                                                      \
-    lower(columns, own, rest);                                                                     \
+  template <class Entry> void lower_##kind(std::span<const Entry> columns, std::span<double> x) {  \
+    lower(columns, x);                                                                             \
   }                                                                                                \
-  void upper_##kind(std::span<const double> columns, std::span<double> own,                        \
-                    std::span<const double> rest) {                                                \
-    upper<Pack>(columns, own, rest);                                                               \
+  template <class Entry> void upper_##kind(std::span<const Entry> columns, std::span<double> x) {  \
+    upper<Pack>(columns, x);                                                                       \
   }
 
 FOAM_DEFINE(any, Pack2)
@@ -313,13 +313,20 @@ bool eliminate_densely(std::span<double> columns, std::span<double> rest, std::s
   return FOAM_CHOOSE(eliminate, columns, rest, pivots, least);
 }
 
-void solve_lower(std::span<const double> columns, std::span<double> own, std::span<double> rest) {
-  FOAM_CHOOSE(lower, columns, own, rest);
+void solve_lower(std::span<const double> columns, std::span<double> x) {
+  FOAM_CHOOSE(lower, columns, x);
 }
 
-void solve_upper(std::span<const double> columns, std::span<double> own,
-                 std::span<const double> rest) {
-  FOAM_CHOOSE(upper, columns, own, rest);
+void solve_lower(std::span<const float> columns, std::span<double> x) {
+  FOAM_CHOOSE(lower, columns, x);
+}
+
+void solve_upper(std::span<const double> columns, std::span<double> x) {
+  FOAM_CHOOSE(upper, columns, x);
+}
+
+void solve_upper(std::span<const float> columns, std::span<double> x) {
+  FOAM_CHOOSE(upper, columns, x);
 }
 
 } // namespace foam

@@ -18,11 +18,12 @@ namespace foam {
 bool eliminate_densely(std::span<double> columns, std::span<double> rest, std::span<double> pivots,
                        double least);
 
-/// Solves with such an L: own ← L₁⁻¹·own, rest −= L₂·own. \param columns as eliminate_densely()
-/// left them.
-void solve_lower(std::span<const double> columns, std::span<double> own, std::span<double> rest);
-/// own ← L₁⁻ᵀ·(own − L₂ᵀ·rest).
-void solve_upper(std::span<const double> columns, std::span<double> own,
-                 std::span<const double> rest);
+/// Solves with such an L: x ← (L₁ 0; L₂ 1)⁻¹·x. \param columns as eliminate_densely() left them, be
+/// they rounded since: vectors and sums keep their digits; \param x of their size
+void solve_lower(std::span<const double> columns, std::span<double> x);
+void solve_lower(std::span<const float> columns, std::span<double> x);
+/// x ← (L₁ 0; L₂ 1)⁻ᵀ·x.
+void solve_upper(std::span<const double> columns, std::span<double> x);
+void solve_upper(std::span<const float> columns, std::span<double> x);
 
 } // namespace foam

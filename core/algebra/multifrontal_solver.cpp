@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <future>
 
 #include "algebra/dense_elimination.h"
@@ -30,26 +32,51 @@ double largest_of(std::span<const double> entries) {
 /// Adds to the lower triangle of a front, be its columns pivots' or the contribution's.
 class FrontMatrix {
 public:
-  FrontMatrix(std::vector<double>& panel, std::vector<double>& contribution, Index pivots,
+  FrontMatrix(std::span<double> columns, std::vector<double>& contribution, Index pivots,
               Index size)
-      : panel_(panel.data()), contribution_(contribution.data()), pivots_(pivots), size_(size) {}
+      : columns_(columns.data()), contribution_(contribution.data()), pivots_(pivots), size_(size) {
+  }
 
   double& operator()(Index i, Index j) const {
     const Index row = std::max(i, j);
     const Index column = std::min(i, j);
     return column < pivots_
-               ? panel_[static_cast<std::ptrdiff_t>(column) * size_ + row]
+               ? columns_[static_cast<std::ptrdiff_t>(column) * size_ + row]
                : contribution_[static_cast<std::ptrdiff_t>(column - pivots_) * (size_ - pivots_) +
                                (row - pivots_)];
   }
 
 private:
-  double* panel_;
+  double* columns_;
   double* contribution_;
   Index pivots_, size_;
 };
 
 } // namespace
+
+std::size_t MultifrontalSolver::Front::entries() const {
+  return at(pivots()) * at(size());
+}
+
+std::span<Index> MultifrontalSolver::above(const Front& front) {
+  return {above_.data() + front.first_above, at(front.above)};
+}
+
+std::span<Index> MultifrontalSolver::places_above(const Front& front) {
+  return {parent_.data() + front.first_above, at(front.above)};
+}
+
+template <class Entry> std::span<Entry> MultifrontalSolver::columns(const Front& front) {
+  return {reinterpret_cast<Entry*>(factor_.get()) + front.first_entry, front.entries()};
+}
+
+std::span<double> MultifrontalSolver::pivots(const Front& front) {
+  return {pivot_.data() + front.node.begin, at(front.pivots())};
+}
+
+std::span<double> MultifrontalSolver::vector(const Front& front) {
+  return {vector_.data() + front.node.begin + front.first_above, at(front.size())};
+}
 
 MultifrontalSolver::MultifrontalSolver(int threads) : threads_(thread_count(threads)) {}
 
@@ -79,11 +106,15 @@ void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const Fi
     }
   }
   std::vector<Index> place(order_.size(), kNone); // in the front at hand, by position
+  above_.clear();
+  parent_.clear();
+  entries_ = 0;
   for (Front& front : fronts_) {
+    front.first_above = above_.size();
     const auto meet = [&](Index p) {
       if (p >= front.node.end && place[at(p)] == kNone) {
         place[at(p)] = 0;
-        front.above.push_back(p);
+        above_.push_back(p);
       }
     };
     for (const Index s : front.shares) {
@@ -95,15 +126,23 @@ void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const Fi
     }
     for (const Index child : front.node.children) {
       if (child != kNone) {
-        std::ranges::for_each(fronts_[at(child)].above, meet);
+        const Front& below = fronts_[at(child)];
+        for (std::size_t i = 0; i < at(below.above); ++i) {
+          meet(above_[below.first_above + i]); // which may move them
+        }
       }
     }
-    std::ranges::sort(front.above);
+    front.above = static_cast<Index>(above_.size() - front.first_above);
+    front.first_entry = entries_;
+    entries_ += front.entries();
+    parent_.resize(above_.size());
+    const std::span<Index> positions = above(front);
+    std::ranges::sort(positions);
     for (Index i = 0; i < front.pivots(); ++i) {
       place[at(front.node.begin + i)] = i;
     }
-    for (std::size_t i = 0; i < front.above.size(); ++i) {
-      place[at(front.above[i])] = front.pivots() + static_cast<Index>(i);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      place[at(positions[i])] = front.pivots() + static_cast<Index>(i);
     }
     for (const Index s : front.shares) {
       auto& places = front.places.emplace_back();
@@ -116,30 +155,27 @@ void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const Fi
     front.work = (size * size * size - left * left * left) / 6;
     for (const Index child : front.node.children) {
       if (child != kNone) {
-        Front& below = fronts_[at(child)];
+        const Front& below = fronts_[at(child)];
         front.work += below.work;
-        std::ranges::transform(below.above, std::back_inserter(below.parent),
+        std::ranges::transform(above(below), places_above(below).begin(),
                                [&](Index p) { return place[at(p)]; });
       }
     }
-    for (const Index p : front.above) {
+    for (const Index p : positions) {
       place[at(p)] = kNone;
     }
   }
+  vector_.resize(order_.size() + above_.size());
+  solution_.resize(order_.size());
+  pivot_.resize(order_.size());
 }
 
-/// Does something with both children of a front, at the same time if it is worth it: part(child,
-/// threads).
+/// Does something with two fronts, at the same time on several threads: part(front, threads).
 template <class Part>
-void MultifrontalSolver::both_children(Index front, int threads, double least,
-                                       const Part& part) const {
-  const auto [first, second] = fronts_[at(front)].node.children;
-  if (first == kNone) {
-    return;
-  }
-  if (threads > 1 && fronts_[at(front)].work > least) {
-    std::future<void> other = std::async(
-        std::launch::async, [&part, child = first, threads] { part(child, threads / 2); });
+void MultifrontalSolver::both(Index first, Index second, int threads, const Part& part) {
+  if (threads > 1) {
+    std::future<void> other =
+        std::async(std::launch::async, [&part, first, threads] { part(first, threads / 2); });
     part(second, threads - threads / 2);
     other.get();
   } else {
@@ -148,50 +184,56 @@ void MultifrontalSolver::both_children(Index front, int threads, double least,
   }
 }
 
-/// Visits all fronts of a subtree, children before their parent.
+/// Visits all fronts of a subtree, children before their parent: as they lie in memory.
 template <class Visit>
 void MultifrontalSolver::upwards(Index front, int threads, double least, const Visit& visit) const {
-  both_children(front, threads, least,
-                [&](Index child, int share) { upwards(child, share, least, visit); });
+  const Front& root = fronts_[at(front)];
+  const auto [first, second] = root.node.children;
+  if (first != kNone) {
+    both(first, second, root.work > least ? threads : 1,
+         [&](Index child, int share) { upwards(child, share, least, visit); });
+  }
   visit(front);
 }
 
-/// Visits all fronts of a subtree, children after their parent.
+/// Visits all fronts of a subtree in the opposite order.
 template <class Visit>
 void MultifrontalSolver::downwards(Index front, int threads, double least,
                                    const Visit& visit) const {
   visit(front);
-  both_children(front, threads, least,
-                [&](Index child, int share) { downwards(child, share, least, visit); });
+  const Front& root = fronts_[at(front)];
+  const auto [first, second] = root.node.children;
+  if (first != kNone) {
+    both(second, first, root.work > least ? threads : 1,
+         [&](Index child, int share) { downwards(child, share, least, visit); });
+  }
 }
 
 Index MultifrontalSolver::factorise(std::span<const FilmShare> shares,
                                     std::span<const double> diagonal) {
+  rounded_ = false;
+  if (capacity_ < entries_) {
+    factor_ = std::make_unique_for_overwrite<std::byte[]>(entries_ * sizeof(double));
+    capacity_ = entries_;
+  }
   upwards(static_cast<Index>(fronts_.size()) - 1, threads_, kWorthAThread, [&](Index f) {
     Front& front = fronts_[at(f)];
     assemble(front, shares, diagonal);
-    front.pivot.resize(at(front.pivots()));
-    front.broken = !eliminate_densely(front.panel, front.contribution, front.pivot,
-                                      kSmallestPivot * largest_of(front.panel));
+    front.broken = !eliminate_densely(columns<double>(front), front.contribution, pivots(front),
+                                      kSmallestPivot * largest_of(columns<double>(front)));
   });
-  Index negative = 0;
-  for (const Front& front : fronts_) {
-    if (front.broken) {
-      return -1;
-    }
-    negative +=
-        static_cast<Index>(std::ranges::count_if(front.pivot, [](double d) { return d < 0; }));
+  if (std::ranges::any_of(fronts_, &Front::broken) || !accurate(shares, diagonal)) {
+    return -1;
   }
-  return accurate(shares, diagonal) ? negative : -1;
+  return static_cast<Index>(std::ranges::count_if(pivot_, [](double d) { return d < 0; }));
 }
 
 void MultifrontalSolver::assemble(Front& front, std::span<const FilmShare> shares,
                                   std::span<const double> diagonal) {
   const Index p = front.pivots();
-  const auto above = front.above.size();
-  front.panel.assign(at(p) * at(front.size()), 0.0);
-  front.contribution.assign(above * above, 0.0);
-  const FrontMatrix matrix(front.panel, front.contribution, p, front.size());
+  std::ranges::fill(columns<double>(front), 0.0);
+  front.contribution.assign(at(front.above) * at(front.above), 0.0);
+  const FrontMatrix matrix(columns<double>(front), front.contribution, p, front.size());
   for (Index i = 0; i < p; ++i) {
     matrix(i, i) = diagonal[at(order_[at(front.node.begin + i)])];
   }
@@ -212,10 +254,10 @@ void MultifrontalSolver::assemble(Front& front, std::span<const FilmShare> share
       continue;
     }
     Front& below = fronts_[at(child)];
-    const std::size_t count = below.parent.size();
-    for (std::size_t column = 0; column < count; ++column) {
-      for (std::size_t row = column; row < count; ++row) {
-        matrix(below.parent[row], below.parent[column]) += below.contribution[column * count + row];
+    const std::span<const Index> place = places_above(below);
+    for (std::size_t column = 0; column < place.size(); ++column) {
+      for (std::size_t row = column; row < place.size(); ++row) {
+        matrix(place[row], place[column]) += below.contribution[column * place.size() + row];
       }
     }
     below.contribution.clear();
@@ -223,47 +265,63 @@ void MultifrontalSolver::assemble(Front& front, std::span<const FilmShare> share
   }
 }
 
+void MultifrontalSolver::round() {
+  for (std::size_t i = rounded_ ? entries_ : 0; i < entries_; ++i) { // each from ahead of its place
+    double entry = 0;
+    std::memcpy(&entry, factor_.get() + i * sizeof entry, sizeof entry);
+    const auto rounded = static_cast<float>(entry);
+    std::memcpy(factor_.get() + i * sizeof rounded, &rounded, sizeof rounded);
+  }
+  rounded_ = true;
+}
+
 void MultifrontalSolver::solve(std::span<double> rhs) {
-  vector_.resize(rhs.size());
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    vector_[i] = rhs[at(order_[i])];
+    solution_[i] = rhs[at(order_[i])];
   }
   const auto root = static_cast<Index>(fronts_.size()) - 1;
   const double least = 10 * kWorthAThread;
   upwards(root, threads_, least, [&](Index f) { solve_upwards(fronts_[at(f)]); });
   downwards(root, threads_, least, [&](Index f) { solve_downwards(fronts_[at(f)]); });
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    rhs[at(order_[i])] = vector_[i];
+    rhs[at(order_[i])] = solution_[i];
   }
 }
 
-/// y ← D⁻¹·L⁻¹·y of the pivots; what that does to those above goes to the parent.
+/// y ← D⁻¹·L⁻¹·y of the pivots. What that does to those above goes to the parent.
 void MultifrontalSolver::solve_upwards(Front& front) {
-  const std::span own = std::span(vector_).subspan(at(front.node.begin), front.pivot.size());
-  front.contribution.assign(front.above.size(), 0.0);
+  const std::span<double> x = vector(front);
+  const auto above = std::copy_n(solution_.begin() + front.node.begin, front.pivots(), x.begin());
+  std::fill(above, x.end(), 0.0);
   for (const Index child : front.node.children) {
     if (child != kNone) {
       const Front& below = fronts_[at(child)];
-      for (std::size_t i = 0; i < below.parent.size(); ++i) {
-        const auto place = at(below.parent[i]);
-        (place < own.size() ? own[place] : front.contribution[place - own.size()]) +=
-            below.contribution[i];
+      const std::span<const Index> place = places_above(below);
+      const std::span<const double> from = vector(below).subspan(at(below.pivots()));
+      for (std::size_t i = 0; i < place.size(); ++i) {
+        x[at(place[i])] += from[i];
       }
     }
   }
-  solve_lower(front.panel, own, front.contribution);
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    own[i] /= front.pivot[i];
+  if (rounded_) {
+    solve_lower(columns<const float>(front), x);
+  } else {
+    solve_lower(columns<const double>(front), x);
   }
+  std::transform(x.begin(), above, pivots(front).begin(), x.begin(), std::divides<>());
 }
 
 /// y ← L⁻ᵀ·y of the pivots.
 void MultifrontalSolver::solve_downwards(Front& front) {
-  for (std::size_t i = 0; i < front.above.size(); ++i) {
-    front.contribution[i] = vector_[at(front.above[i])];
+  const std::span<double> x = vector(front);
+  std::ranges::transform(above(front), x.begin() + front.pivots(),
+                         [&](Index p) { return solution_[at(p)]; });
+  if (rounded_) {
+    solve_upper(columns<const float>(front), x);
+  } else {
+    solve_upper(columns<const double>(front), x);
   }
-  solve_upper(front.panel, std::span(vector_).subspan(at(front.node.begin), front.pivot.size()),
-              front.contribution);
+  std::copy_n(x.begin(), front.pivots(), solution_.begin() + front.node.begin);
 }
 
 /// Whether small pivots have left enough digits: the backward error of one solution (N. J. Higham,

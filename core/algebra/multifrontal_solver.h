@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,31 +37,32 @@ public:
   /// by unknown. \returns the number of negative pivots, or −1 if the matrix cannot be factorised
   /// without pivoting, or not accurately.
   Index factorise(std::span<const FilmShare> shares, std::span<const double> diagonal);
+  /// Rounds the factors to single precision from now on: solutions are then no better than a
+  /// preconditioner's need be, and sooner there, as it is reading the factors that takes the time.
+  void round();
   /// Replaces the right-hand side by the solution.
   void solve(std::span<double> rhs);
 
 private:
   /// A node of the tree: a dense matrix of its own unknowns, pivots, and of those above it that
-  /// they touch.
+  /// they touch. What a solution reads of it lies in memory behind what it reads of the last.
   struct Front {
     EliminationTree::Node node;
-    std::vector<Index> above;  ///< positions, ascending
-    std::vector<Index> parent; ///< of those above, by place in the parent's front
+    std::size_t first_entry = 0; ///< in factor_
+    std::size_t first_above = 0; ///< in above_
+    Index above = 0;             ///< how many unknowns above it touches
     std::vector<Index> shares;
     std::vector<std::array<Index, 7>> places; ///< of the shares' unknowns in this front
     double work = 0;                          ///< of the front and all below, in multiplications
-
-    std::vector<double> panel;        ///< columns of L of the pivots, unit diagonal not stored
-    std::vector<double> pivot;        ///< D
-    std::vector<double> contribution; ///< to the front above: a matrix, then a vector
-    bool broken = false;              ///< a pivot is too small
+    std::vector<double> contribution;         ///< to the matrix of the front above
+    bool broken = false;                      ///< a pivot is too small
 
     Index pivots() const { return node.end - node.begin; }
-    Index size() const { return pivots() + static_cast<Index>(above.size()); }
+    Index size() const { return pivots() + above; }
+    std::size_t entries() const;
   };
 
-  template <class Part>
-  void both_children(Index front, int threads, double least, const Part& part) const;
+  template <class Part> static void both(Index first, Index second, int threads, const Part& part);
   template <class Visit>
   void upwards(Index front, int threads, double least, const Visit& visit) const;
   template <class Visit>
@@ -69,10 +72,25 @@ private:
   void solve_downwards(Front& front);
   bool accurate(std::span<const FilmShare> shares, std::span<const double> diagonal);
 
+  std::span<Index> above(const Front& front);
+  std::span<Index> places_above(const Front& front);
+  template <class Entry> std::span<Entry> columns(const Front& front);
+  std::span<double> pivots(const Front& front);
+  std::span<double> vector(const Front& front);
+
   int threads_;
-  std::vector<Index> order_;   ///< unknowns by position
-  std::vector<Front> fronts_;  ///< children before their parent
-  std::vector<double> vector_; ///< right-hand side and solution, by position
+  std::vector<Index> order_;     ///< unknowns by position
+  std::vector<Front> fronts_;    ///< children before their parent
+  std::vector<Index> above_;     ///< positions of the unknowns above each front, ascending
+  std::vector<Index> parent_;    ///< their places in the parent's front
+  std::vector<double> vector_;   ///< of each front's unknowns
+  std::vector<double> solution_; ///< by position
+
+  std::vector<double> pivot_;           ///< D, by position
+  std::unique_ptr<std::byte[]> factor_; ///< L, its diagonal not stored, as columns of each front
+  std::size_t entries_ = 0;             ///< of it
+  std::size_t capacity_ = 0;            ///< entries that there is room for
+  bool rounded_ = false;                ///< whether they are floats, not doubles
 };
 
 } // namespace foam

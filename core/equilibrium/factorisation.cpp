@@ -35,6 +35,7 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
 }
 
 bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
+  solver_.round();
   if (topology_ != foam.topology) {
     translation_ = translation(region, matrix.unknowns(), unknowns_);
     topology_ = foam.topology;

@@ -26,8 +26,9 @@ public:
   /// \returns the number of negative pivots, or −1 if it cannot be factorised.
   Index factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
 
-  /// Makes the last factorise() serve for what the whole foam is now. \param matrix of the present
-  /// topology and state. \returns false if too much has changed.
+  /// Makes the last factorise() serve for what the whole foam is now, and rounds it: it
+  /// preconditions an iteration from now on. \param matrix of the present topology and state.
+  /// \returns false if too much has changed.
   bool adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// Whether the film's half-angle was an unknown.
   bool keeps_angle(Index film) const { return unknowns_.angle(film) != kNone; }

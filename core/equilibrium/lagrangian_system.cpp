@@ -60,6 +60,7 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
   angle_gradient_.assign(region_.films.size(), 0.0);
   std::vector<std::array<double, 4>> ends(region_.films.size());
   std::vector<double> curvature(region_.films.size());
+  segments_.resize(foam.film_angle.size());
   Host().for_each(static_cast<Index>(region_.films.size()), [&](Index place) {
     const auto i = Foam::size(place);
     const Index h = 2 * region_.films[i];
@@ -70,6 +71,7 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
     const ArcShape shape = arc_shape(alpha);
     const FilmForces forces = film_forces(chord, (1 / d) * chord, d, shape, q, tension);
     ends[i] = forces.ends;
+    segments_[Foam::size(region_.films[i])] = d * d * shape.g;
     angle_gradient_[i] = forces.angle;
     curvature[i] = std::abs(forces.angle) / (tension * d * shape.g1); // since f′ = 2 sin α · g′
   });
@@ -95,7 +97,8 @@ Residual LagrangianSystem::evaluate(const Foam& foam) {
   for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
     const Index b = region_.bubbles[i];
     const double target = foam.target_area[Foam::size(b)];
-    const double area = foam.area(b);
+    const double area =
+        foam.area(b, [&](Index f) { return foam.wall(2 * f) ? 0 : segments_[Foam::size(f)]; });
     const double excess = area - target;
     const double largest = kLargestGrowth * std::abs(area);
     gradient_[Foam::size(matrix_.unknowns().first_pressure()) + i] =
@@ -235,7 +238,7 @@ bool LagrangianSystem::solve(const Foam& foam, std::span<double> change, std::ve
 
 const Step* LagrangianSystem::response(const Foam& foam, const std::vector<double>& area_rate,
                                        const Rates& expected, double drift) {
-  if (!adapt(foam)) {
+  if (drift < kAnyDrift && !adapt(foam)) {
     return nullptr;
   }
   const Unknowns& unknowns = matrix_.unknowns();

@@ -75,7 +75,7 @@ public:
   /// it lacks is made up for by an iteration until the foam would leave its equilibrium no faster
   /// than at `drift` (1/s, of dimensionless residuals, areas in units of the mean).
   /// \param expected how what is held moves, and with what the iteration begins
-  /// \returns nothing if that is not reached; kAnyDrift always is.
+  /// \returns nothing if that is not reached. kAnyDrift always is, by the last factorise() alone.
   const Step* response(const Foam& foam, const std::vector<double>& area_rate,
                        const Rates& expected, double drift);
   static constexpr double kAnyDrift = std::numeric_limits<double>::infinity();
@@ -110,6 +110,7 @@ private:
 
   std::vector<double> gradient_;       ///< of the unknowns, not condensed
   std::vector<double> angle_gradient_; ///< by place in region_.films
+  std::vector<double> segments_; ///< of films as seen from half-film 2f, cm²; of region_'s alone
   Step step_;
   Step response_;
 };

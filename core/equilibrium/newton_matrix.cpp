@@ -68,6 +68,10 @@ std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& 
   const double spacing = region.spacing;
   junction_diagonal_ = (shift + kRegularisation) * tension / spacing;
   pressure_diagonal_ = -kRegularisation * spacing * spacing * spacing / tension;
+  const bool pinned = region.whole && shift == 0;
+  junction_pin_ = pinned && foam.boundary != Boundary::Fixed ? tension / spacing : 0;
+  pressure_pin_ =
+      pinned && foam.boundary != Boundary::Free ? -spacing * spacing * spacing / tension : 0;
   return unsafe;
 }
 
@@ -147,6 +151,13 @@ std::vector<double> NewtonMatrix::diagonal() const {
   std::vector<double> diagonal(Foam::size(unknowns_.count()));
   for (std::size_t u = 0; u < diagonal.size(); ++u) {
     diagonal[u] = regularisation(u);
+  }
+  if (junction_pin_ > 0) {
+    diagonal[0] += junction_pin_;
+    diagonal[1] += junction_pin_;
+  }
+  if (pressure_pin_ < 0) {
+    diagonal[Foam::size(unknowns_.first_pressure())] += pressure_pin_;
   }
   return diagonal;
 }

@@ -17,7 +17,10 @@ namespace foam {
 /// The half-angle of a film is eliminated where ∂²φ/∂α² is safely positive, and kept as an unknown
 /// where it is not: arcs around and beyond 90°, as at the free boundary. Foams have directions in
 /// which they move at no cost (translations, rotations, the common pressure of a torus, a two-sided
-/// bubble along its film): a regularisation too small to be felt elsewhere holds them.
+/// bubble along its film): a regularisation too small to be felt elsewhere holds them. Where they
+/// are such exactly, a whole foam's translations and common pressure, one junction and one pressure
+/// are pinned for its factorisation. No load acts on them, so that this decides how much of them
+/// there is in a solution and nothing else; the rounding of factors would decide it otherwise.
 class NewtonMatrix {
 public:
   /// Whether the film's half-angle should be an unknown.
@@ -53,7 +56,7 @@ public:
 
   /// By place in region.films; of an eliminated α the last row is what it was before.
   std::span<const FilmShare> shares() const { return films_; }
-  /// What is added to the shares, by unknown.
+  /// What is added to the shares where they are factorised, by unknown.
   std::vector<double> diagonal() const;
 
 private:
@@ -65,6 +68,8 @@ private:
   std::vector<FilmShare> films_;
   double junction_diagonal_ = 0;
   double pressure_diagonal_ = 0;
+  double junction_pin_ = 0; ///< of the first one's coordinates
+  double pressure_pin_ = 0; ///< of the first one
 };
 
 } // namespace foam

@@ -111,9 +111,9 @@ template <class Mesh> struct MeshAccess {
 
   /// Area of a bubble: its polygon and the segments of its arcs (thesis 3.3.12), cm².
   FOAM_HOST_DEVICE double area(Index b) const {
-    return area(b, [this](Index h) { return segment_area(norm(chord(h)), half_angle(h)); });
+    return area(b, [this](Index f) { return segment_area(norm(chord(2 * f)), half_angle(2 * f)); });
   }
-  /// The same. \param segment segment(h) is the area between a half-film and its chord
+  /// The same. \param segment segment(f) is the area between half-film 2f and its chord, cm²
   template <class Segment> FOAM_HOST_DEVICE double area(Index b, const Segment& segment) const {
     double twice_polygon = 0;
     double segments = 0;
@@ -122,7 +122,7 @@ template <class Mesh> struct MeshAccess {
     for_each_half(mesh(), b, [&](Index h) {
       const Vec2 d = chord(h);
       twice_polygon += cross(at, d);
-      segments += segment(h);
+      segments += (h & 1) ? -segment(film_of(h)) : segment(film_of(h));
       at += d;
     });
     return 0.5 * twice_polygon + segments;

@@ -94,10 +94,7 @@ struct RecordBubble {
     const Index bubble = bubbles[i];
     BubbleStatistics record;
     record.id = id[bubble];
-    record.area = mesh.area(bubble, [this](Index h) {
-      const double segment = arcs[FoamView::film_of(h)].segment;
-      return h & 1 ? -segment : segment;
-    });
+    record.area = mesh.area(bubble, [this](Index film) { return arcs[film].segment; });
     record.target_area = mesh.target_area[bubble];
     record.pressure = mesh.pressure[bubble];
     record.sides = mesh.sides[bubble];

@@ -143,11 +143,35 @@ TEST(Multifrontal, GivesTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(solver.factorise(matrix.shares(), matrix.diagonal()), 4000);
     std::vector<double> solution(Foam::size(matrix.unknowns().count()), 1.0);
     solver.solve(solution);
+    solver.round();
+    solver.solve(solution);
     if (first.empty()) {
       first = solution;
     }
     EXPECT_EQ(solution, first) << threads;
   }
+}
+
+/// Refinement with rounded factors finds the solution, translations and the common pressure
+/// included.
+TEST_P(MultifrontalOfAnyBoundary, RoundedFactorsPreconditionARefinement) {
+  const Foam foam = test::random_foam(300, GetParam());
+  const System system(foam, whole_foam(foam), true);
+  MultifrontalSolver solver;
+  solver.analyse(system.tree(foam), system.matrix.shares());
+  solver.factorise(system.matrix.shares(), system.matrix.diagonal());
+  const auto size = static_cast<std::size_t>(system.dense.rows());
+  const Eigen::VectorXd wanted = some_load(system.dense.rows());
+  Eigen::VectorXd rest = system.dense * wanted;
+  Eigen::VectorXd found = Eigen::VectorXd::Zero(wanted.size());
+  solver.round();
+  for (int step = 0; step < 8; ++step) {
+    Eigen::VectorXd change = rest;
+    solver.solve({change.data(), size});
+    found += change;
+    rest = system.dense * (wanted - found);
+  }
+  EXPECT_LT((found - wanted).norm(), 1e-9 * wanted.norm());
 }
 
 TEST(Multifrontal, RefusesAMatrixThatIsSingular) {
@@ -188,6 +212,38 @@ TEST(DenseElimination, LeavesFactorsAndTheSchurComplement) {
       again.bottomRightCorner(left, left) += rest.selfadjointView<Eigen::Lower>();
       const double error = (again - k).cwiseAbs().maxCoeff();
       EXPECT_LT(error, 1e-13 * k.cwiseAbs().maxCoeff()) << size << ' ' << count;
+    }
+  }
+}
+
+/// For sizes around those of columns that are taken together.
+TEST(DenseElimination, SolvesWithWhatIsLeftAndWithTheSameRounded) {
+  std::mt19937_64 generator(2);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  for (const Eigen::Index size : {1, 4, 9, 30, 101}) {
+    for (const Eigen::Index count : {Eigen::Index{0}, (size + 2) / 3, size}) {
+      const Eigen::MatrixXd columns = Eigen::MatrixXd::NullaryExpr(
+          size, count, [&] { return entry(generator) / static_cast<double>(size); });
+      Eigen::MatrixXd l = Eigen::MatrixXd::Identity(size, size);
+      l.leftCols(count).triangularView<Eigen::StrictlyLower>() = columns;
+      const Eigen::MatrixXf rounded = columns.cast<float>();
+      const auto length = static_cast<std::size_t>(size);
+      const auto entries = static_cast<std::size_t>(columns.size());
+      const Eigen::VectorXd load = some_load(size);
+      const auto expect_solved = [&](const auto& lower, const auto& upper, double error) {
+        Eigen::VectorXd x = load;
+        lower(std::span(x.data(), length));
+        EXPECT_LT((l * x - load).cwiseAbs().maxCoeff(), error) << size << ' ' << count;
+        x = load;
+        upper(std::span(x.data(), length));
+        EXPECT_LT((l.transpose() * x - load).cwiseAbs().maxCoeff(), error) << size << ' ' << count;
+      };
+      const std::span all(columns.data(), entries);
+      expect_solved([&](std::span<double> x) { solve_lower(all, x); },
+                    [&](std::span<double> x) { solve_upper(all, x); }, 1e-13);
+      const std::span all_rounded(rounded.data(), entries);
+      expect_solved([&](std::span<double> x) { solve_lower(all_rounded, x); },
+                    [&](std::span<double> x) { solve_upper(all_rounded, x); }, 1e-5);
     }
   }
 }

@@ -119,11 +119,11 @@ inline cudssStatus_t factorise(cudssData& data, const cudssMatrix& m) {
 inline cudssStatus_t solve(const cudssData& data, const cudssMatrix& x, const cudssMatrix& b) {
   const std::span<double> solution(const_cast<double*>(x.values), x.rows);
   std::copy_n(b.values, b.rows, solution.begin());
-  foam::solve_lower(data.factor, solution, {});
+  foam::solve_lower(data.factor, solution);
   for (std::size_t i = 0; i < solution.size(); ++i) {
     solution[i] /= data.pivots[i];
   }
-  foam::solve_upper(data.factor, solution, {});
+  foam::solve_upper(data.factor, solution);
   return CUDSS_STATUS_SUCCESS;
 }
 

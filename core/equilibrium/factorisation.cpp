@@ -14,6 +14,31 @@ constexpr double kLargestChange = 0.1; // of a film's chord, or of its half-angl
 constexpr int kPatchRings = 1;
 constexpr double kLargestPatch = 0.2; // of the foam's bubbles
 
+/// Takes the mean out of every `stride`-th of some numbers, from `first` on.
+void level(std::span<double> numbers, std::size_t first, std::size_t stride) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t i = first; i < numbers.size(); i += stride, ++count) {
+    sum += numbers[i];
+  }
+  for (std::size_t i = first; i < numbers.size(); i += stride) {
+    numbers[i] -= sum / static_cast<double>(count);
+  }
+}
+
+/// Takes out of a load what nothing but the pins of NewtonMatrix would bear: a force on the whole
+/// foam, a gain of a closed container's gas.
+void balance(Boundary boundary, const Unknowns& unknowns, std::span<double> load) {
+  const auto coordinates = Foam::size(unknowns.first_pressure());
+  if (boundary != Boundary::Fixed) {
+    level(load.first(coordinates), 0, 2);
+    level(load.first(coordinates), 1, 2);
+  }
+  if (boundary != Boundary::Free) {
+    level(load.subspan(coordinates, Foam::size(unknowns.first_angle()) - coordinates), 0, 1);
+  }
+}
+
 } // namespace
 
 void Factorisation::analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
@@ -26,6 +51,7 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
   topology_ = foam.topology;
   if (region.whole) {
     unknowns_ = matrix.unknowns();
+    boundary_ = foam.boundary;
     films_.assign(foam.film_angle.size(), {});
     for (const Index f : region.films) {
       films_[Foam::size(f)] = film_of(foam, f);
@@ -121,7 +147,8 @@ void Factorisation::solve(std::span<double> rhs) {
   }
 }
 
-/// With the matrix that was factorised; what was not there then does not move.
+/// With the matrix that was factorised. What was not there then does not move, and its part of the
+/// load is left out.
 void Factorisation::solve_as_before(std::span<double> rhs) {
   if (translation_.empty()) {
     solver_.solve(rhs);
@@ -133,6 +160,7 @@ void Factorisation::solve_as_before(std::span<double> rhs) {
       old[Foam::size(translation_[u])] = rhs[u];
     }
   }
+  balance(boundary_, unknowns_, old);
   solver_.solve(old);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
     rhs[u] = translation_[u] == kNone ? 0 : old[Foam::size(translation_[u])];

@@ -60,6 +60,7 @@ private:
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;
+  Boundary boundary_ = Boundary::Free;
   Unknowns unknowns_;
   std::vector<Film> films_;        ///< by film
   std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for

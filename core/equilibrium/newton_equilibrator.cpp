@@ -127,7 +127,7 @@ EquilibriumReport NewtonEquilibrator::report(Foam& foam, const Outcome& outcome)
   foam.report = {.converged = outcome.converged,
                  .iterations = iterations_,
                  .max_angle_error = max_angle_error(foam),
-                 .max_area_error = max_area_error(foam),
+                 .max_area_error = outcome.residual.area,
                  .residual = outcome.residual.largest()};
   return foam.report;
 }

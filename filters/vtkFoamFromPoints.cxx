@@ -100,6 +100,13 @@ double Residual(const foam::Foam& foam) {
   return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
 }
 
+/// What is known of a foam that has not been brought to equilibrium.
+foam::EquilibriumReport MeasuredReport(const foam::Foam& foam) {
+  return {.max_angle_error = foam::max_angle_error(foam),
+          .max_area_error = foam::max_area_error(foam),
+          .residual = Residual(foam)};
+}
+
 } // namespace
 
 int vtkFoamFromPoints::FillInputPortInformation(int, vtkInformation* info) {
@@ -130,9 +137,7 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
     options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
   }
   foam::Foam foam = foam::build_from_points(ReadPoints(input), options);
-  foam.report.max_angle_error = foam::max_angle_error(foam);
-  foam.report.max_area_error = foam::max_area_error(foam);
-  foam.report.residual = Residual(foam);
+  foam.report = MeasuredReport(foam);
   this->BringToEquilibrium(foam);
   this->WriteOutputs(foam::sample(foam, this->GetChordError()), outputs);
 }
@@ -158,7 +163,7 @@ void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
                       << " iterations.");
     }
   } catch (const foam::Aborted&) {
-    // What there is of the foam is shown, as not converged.
+    foam.report = MeasuredReport(foam); // what there is of the foam is shown
   }
 }
 

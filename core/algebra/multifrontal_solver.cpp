@@ -8,6 +8,7 @@
 #include <future>
 
 #include "algebra/dense_elimination.h"
+#include "parallel/kernels.h"
 #include "parallel/thread_count.h"
 
 namespace foam {
@@ -22,9 +23,10 @@ std::size_t at(Index i) {
 }
 
 double largest_of(std::span<const double> entries) {
+  constexpr parallel::Larger larger{};
   double largest = 0;
   for (const double entry : entries) {
-    largest = std::max(largest, std::abs(entry));
+    largest = larger(largest, std::abs(entry));
   }
   return largest;
 }

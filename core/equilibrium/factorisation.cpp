@@ -49,7 +49,8 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
   translation_.clear();
   patch_.reset();
   topology_ = foam.topology;
-  if (region.whole) {
+  whole_ = region.whole;
+  if (whole_) {
     unknowns_ = matrix.unknowns();
     boundary_ = foam.boundary;
     films_.assign(foam.film_angle.size(), {});
@@ -151,6 +152,9 @@ void Factorisation::solve(std::span<double> rhs) {
 /// load is left out.
 void Factorisation::solve_as_before(std::span<double> rhs) {
   if (translation_.empty()) {
+    if (whole_) {
+      balance(boundary_, unknowns_, rhs);
+    }
     solver_.solve(rhs);
     return;
   }

@@ -60,6 +60,7 @@ private:
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;
+  bool whole_ = false;
   Boundary boundary_ = Boundary::Free;
   Unknowns unknowns_;
   std::vector<Film> films_;        ///< by film

@@ -183,7 +183,8 @@ bool LagrangianSystem::adapt(const Foam& foam) {
   if (factorised_ && !assemble(foam, 0)) {
     evaluate(foam);
   }
-  factorised_ = factorised_ && (!region_.whole || factorisation_.adapt(foam, region_, matrix_));
+  factorised_ = factorised_ &&
+                (!region_.whole || (!shifted() && factorisation_.adapt(foam, region_, matrix_)));
   return factorised_;
 }
 

@@ -19,8 +19,8 @@ namespace foam {
 /// which they move at no cost (translations, rotations, the common pressure of a torus, a two-sided
 /// bubble along its film): a regularisation too small to be felt elsewhere holds them. Where they
 /// are such exactly, a whole foam's translations and common pressure, one junction and one pressure
-/// are pinned for its factorisation. No load acts on them, so that this decides how much of them
-/// there is in a solution and nothing else; the rounding of factors would decide it otherwise.
+/// are pinned for its factorisation. For a load that has no part in them this decides how much of
+/// them there is in a solution and nothing else; the rounding of factors would decide it otherwise.
 class NewtonMatrix {
 public:
   /// Whether the film's half-angle should be an unknown.

@@ -20,8 +20,8 @@ struct Rates {
       return {};
     }
     const Index h = 2 * film;
-    const Vec2 start = junctions[Foam::size(foam.start(h))];
-    const Vec2 end = junctions[Foam::size(foam.end(h))];
+    const Vec2 start = of_junction(foam, foam.start(h));
+    const Vec2 end = of_junction(foam, foam.end(h));
     const auto pressure = [&](Index bubble) {
       return bubble == kWorld ? 0 : pressures[Foam::size(bubble)];
     };
@@ -32,6 +32,12 @@ struct Rates {
             pressure(foam.left(h)),
             pressure(foam.right(h)),
             angles[Foam::size(film)]};
+  }
+
+private:
+  /// A wall holds what has come to it since.
+  Vec2 of_junction(const Foam& foam, Index junction) const {
+    return foam.pinned(junction) ? Vec2{} : junctions[Foam::size(junction)];
   }
 };
 

@@ -135,21 +135,28 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   return true;
 }
 
-/// Gives a closed container's bubbles back what rough equilibria and rounding have lost.
+/// Gives a closed container's bubbles back what has been lost on the way: on a torus by rounding,
+/// to all of them; in a box also at its walls, to the bubbles there, as von Neumann's law is not
+/// theirs.
 void EventCoarsening::balance_gas() {
   if (foam_.boundary == Boundary::Free) {
     return;
   }
-  double space = 0;
-  double gas = 0;
+  double lost = 0;
+  double share = 0; // the gas of those that take part
+  std::vector<Index> taking_part;
   for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
     if (foam_.has_bubble(b)) {
-      space += foam_.area(b);
-      gas += foam_.target_area[Foam::size(b)];
+      const double gas = foam_.target_area[Foam::size(b)];
+      lost += foam_.area(b) - gas;
+      if (foam_.boundary == Boundary::Periodic || foam_.bubble_on_world(b)) {
+        share += gas;
+        taking_part.push_back(b);
+      }
     }
   }
-  for (double& area : foam_.target_area) {
-    area *= space / gas;
+  for (const Index b : taking_part) {
+    foam_.target_area[Foam::size(b)] *= 1 + lost / share;
   }
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/element_measures.h"
 #include "parallel/kernels.h"
 #include "statistics/bubble_records.h"
 #include "statistics/statistics.h"

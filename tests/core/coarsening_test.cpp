@@ -333,6 +333,34 @@ TEST(Coarsening, WallsStayStraight) {
   }
 }
 
+/// Also where events at the walls upset the balance of gas there.
+TEST(Coarsening, InteriorBubblesOfAContainerFollowVonNeumannsLaw) {
+  auto coarsening = make_coarsening({});
+  coarsening->restart(random_foam(100, Boundary::Fixed, 1));
+  const Foam& foam = coarsening->foam();
+  const double constant = von_neumann_constant(foam.surface_tension, 1);
+  int frames_with_events = 0;
+  for (int frame = 1; frame <= 60; ++frame) {
+    const Foam before = foam;
+    ASSERT_TRUE(coarsening->advance({}));
+    if (foam.t2_count != before.t2_count || foam.t3_count != before.t3_count) {
+      continue; // what was left of a bubble has gone to its neighbours
+    }
+    frames_with_events += foam.t1_count != before.t1_count ? 1 : 0;
+    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+      const auto i = Foam::size(b);
+      if (foam.has_bubble(b) && foam.sides[i] == before.sides[i] && !foam.bubble_on_world(b) &&
+          !before.bubble_on_world(b)) {
+        const double gain = constant * (foam.sides[i] - 6) * (foam.time - before.time);
+        EXPECT_NEAR(foam.target_area[i] - before.target_area[i], gain,
+                    1e-10 * before.target_area[i])
+            << "frame " << frame << ", bubble " << b;
+      }
+    }
+  }
+  EXPECT_GT(frames_with_events, 0);
+}
+
 TEST(Coarsening, NothingIsInEquilibriumThatIsNotANumber) {
   Foam foam = random_foam(30, Boundary::Periodic, 1);
   for (Vec2& p : foam.position) {

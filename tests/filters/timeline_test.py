@@ -210,6 +210,7 @@ class Progress(unittest.TestCase):
         self.assertEqual(messages.errors, [])
         self.assertEqual(foam.GetOutput(1).GetNumberOfPolys(), 3000)
         self.assertEqual(single(foam.GetOutput(0), "Converged"), 0)
+        self.assertGreater(single(foam.GetOutput(0), "MaxAngleError"), 0)
 
 
 class Warnings(unittest.TestCase):

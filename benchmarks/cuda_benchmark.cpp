@@ -18,8 +18,10 @@
 #include <vector>
 
 #include "algebra/device_direct_solver.h"
-#include "build/honeycomb.h"
-#include "evolution/coarsening.h"
+#include "base/error.h"
+#include "coarsening/coarsening.h"
+#include "construct/honeycomb.h"
+#include "engines/engines.h"
 
 namespace foam {
 namespace {
@@ -44,7 +46,7 @@ Foam start(Index columns, Index rows) {
 /// The thesis's method and constants (Figure 4.19).
 std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
   CoarseningOptions options;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.device = device;
   auto coarsening = make_coarsening(options);
@@ -56,7 +58,7 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
 std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam,
                                       LinearSolver solver = LinearSolver::Iterative) {
   CoarseningOptions options;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.stepping = Stepping::FixedSteps;
   options.equilibrator.device = device;
   options.equilibrator.tolerance = tolerance;
   options.equilibrator.linear_solver = solver;

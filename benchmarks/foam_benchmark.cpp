@@ -23,12 +23,14 @@
 #include <string>
 #include <vector>
 
-#include "build/from_points.h"
-#include "build/jittered_grid.h"
+#include "base/number.h"
+#include "coarsening/coarsening.h"
+#include "coarsening/diffusion.h"
+#include "construct/from_points.h"
+#include "construct/jittered_grid.h"
+#include "engines/engines.h"
 #include "equilibrium/nested_dissection.h"
 #include "equilibrium/newton_matrix.h"
-#include "evolution/coarsening.h"
-#include "evolution/diffusion.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <vector>
 
-#include "build/honeycomb.h"
+#include "construct/honeycomb.h"
 #include "equilibrium/lagrangian_system.h"
 #include "equilibrium/parallel_newton.h"
 #include "parallel/host.h"

@@ -5,10 +5,11 @@
 #include <iostream>
 #include <vector>
 
-#include "build/honeycomb.h"
-#include "evolution/collapse_bids.h"
-#include "junction/update_order.h"
+#include "construct/honeycomb.h"
 #include "parallel/host.h"
+#include "thesis/rules.h"
+#include "thesis/update_order.h"
+#include "topology/collapse_bids.h"
 
 namespace foam {
 namespace {
@@ -28,7 +29,7 @@ int rounds(Host& host, Foam& foam, const ThesisRules& rules) {
 void measure(Index columns) {
   Foam foam = honeycomb({.columns = columns, .rows = columns, .displacement = 0.15, .swaps = 0.2});
   Host host;
-  junction::UpdateOrder<Host> order(host);
+  thesis::UpdateOrder<Host> order(host);
   std::cout << "| " << columns * columns;
   for (const int reach : {1, 2}) {
     order.find(view_of(foam), reach);

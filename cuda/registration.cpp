@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Makes the GPU known to core.
-#include "parallel/accelerator.h"
+#include "engines/accelerator.h"
 
 #include <cuda_runtime_api.h>
 
+#include "coarsening/cuda_newton_frame_coarsening.h"
 #include "equilibrium/cuda_newton_equilibrator.h"
-#include "evolution/cuda_frame_coarsening.h"
-#include "evolution/cuda_newton_frame_coarsening.h"
-#include "junction/cuda_junction_equilibrator.h"
+#include "thesis/cuda_frame_coarsening.h"
+#include "thesis/cuda_junction_equilibrator.h"
 
 namespace foam::cuda {
 namespace {

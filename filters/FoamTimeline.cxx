@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "Message.h"
+#include "engines/engines.h"
 
 namespace foam::filters {
 namespace {
@@ -14,67 +14,6 @@ namespace {
 std::size_t bytes(const FilmSet& films) {
   return films.junctions.size() * sizeof(Vec2) + films.films.size() * sizeof(FilmSet::Film) +
          films.bubbles.size() * sizeof(FilmSet::Bubble);
-}
-
-// The values of a structure as a tuple. The decompositions name every member, so that one added
-// later cannot be forgotten.
-
-auto values(const FilmSet::Film& film) {
-  const auto& [start, end, left, right, half_angle, wrap] = film;
-  return std::tie(start, end, left, right, half_angle, wrap);
-}
-
-auto values(const FilmSet::Bubble& bubble) {
-  const auto& [id, pressure, target_area] = bubble;
-  return std::tie(id, pressure, target_area);
-}
-
-auto values(const EquilibriumReport& report) {
-  const auto& [converged, iterations, max_angle_error, max_area_error, residual] = report;
-  return std::tie(converged, iterations, max_angle_error, max_area_error, residual);
-}
-
-auto values(const FoamRecord& record) {
-  const auto& [boundary, box, surface_tension, time, t1_count, t2_count, t3_count, report] = record;
-  return std::tuple_cat(
-      std::tie(boundary, box, surface_tension, time, t1_count, t2_count, t3_count), values(report));
-}
-
-template <class T> bool same(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const T& x, const T& y) { return values(x) == values(y); });
-}
-
-bool same(const FilmSet& a, const FilmSet& b) {
-  return values(static_cast<const FoamRecord&>(a)) == values(static_cast<const FoamRecord&>(b)) &&
-         a.junctions == b.junctions && same(a.films, b.films) && same(a.bubbles, b.bubbles);
-}
-
-auto values(const JunctionOptions& options) {
-  const auto& [sweep, root_search, energy_target, energy_decay, orientation_invariant, damping,
-               finite_difference_step, jacobian_tolerance, pressure_tolerance, position_tolerance,
-               minimum_scale] = options;
-  return std::tie(sweep, root_search, energy_target, energy_decay, orientation_invariant, damping,
-                  finite_difference_step, jacobian_tolerance, pressure_tolerance,
-                  position_tolerance, minimum_scale);
-}
-
-auto values(const EquilibratorOptions& options) {
-  const auto& [kind, device, tolerance, maximum_iterations, linear_solver, junction] = options;
-  return std::tuple_cat(std::tie(kind, device, tolerance, maximum_iterations, linear_solver),
-                        values(junction));
-}
-
-auto values(const ThresholdOptions& options) {
-  const auto& [relative, t1_length, t2_area, alpha] = options;
-  return std::tie(relative, t1_length, t2_area, alpha);
-}
-
-auto values(const CoarseningOptions& options) {
-  const auto& [time_step, permeability, thresholds, two_sided_bubbles, topological_algorithm,
-               equilibrator] = options;
-  return std::tuple_cat(std::tie(time_step, permeability, two_sided_bubbles, topological_algorithm),
-                        values(thresholds), values(equilibrator));
 }
 
 } // namespace
@@ -109,10 +48,6 @@ void Keyframes::thin() {
   }
 }
 
-bool operator==(const FoamTimeline::Settings& a, const FoamTimeline::Settings& b) {
-  return a.keyframe_interval == b.keyframe_interval && values(a.coarsening) == values(b.coarsening);
-}
-
 FoamTimeline::FoamTimeline(FilmSet start, const Settings& settings)
     : start_(std::move(start)), settings_(settings),
       coarsening_(make_coarsening(settings.coarsening)) {
@@ -124,7 +59,7 @@ FoamTimeline::FoamTimeline(FilmSet start, const Settings& settings)
 }
 
 bool FoamTimeline::is_of(const FilmSet& start, const Settings& settings) const {
-  return settings == settings_ && same(start, start_);
+  return settings == settings_ && start == start_;
 }
 
 void FoamTimeline::go_to(int frame, const AbortCheck& aborted, const Reached& reached) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "evolution/coarsening.h"
+#include "coarsening/coarsening.h"
 #include "mesh/film_set.h"
 
 namespace foam::filters {
@@ -42,7 +42,7 @@ public:
   struct Settings {
     CoarseningOptions coarsening;
     int keyframe_interval = 10; ///< frames, ≥ 1
-    friend bool operator==(const Settings& a, const Settings& b);
+    friend bool operator==(const Settings& a, const Settings& b) = default;
   };
   /// Told of every frame that has been reached, after `done` of `todo` frames.
   using Reached = std::function<void(int done, int todo)>;

@@ -13,6 +13,7 @@
 
 #include "Message.h"
 #include "WholeFile.h"
+#include "base/error.h"
 
 namespace foam::filters {
 namespace {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "base/error.h"
 #include "mesh/foam.h"
 
 namespace foam::filters {

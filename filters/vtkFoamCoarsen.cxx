@@ -127,6 +127,7 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   coarsening.thresholds.t2_area = this->T2Area;
   coarsening.thresholds.alpha = this->Alpha;
   coarsening.two_sided_bubbles = static_cast<foam::TwoSidedBubbles>(this->TwoSidedBubbles);
+  coarsening.stepping = static_cast<foam::Stepping>(this->Stepping);
   coarsening.topological_algorithm =
       static_cast<foam::TopologicalAlgorithm>(this->TopologicalAlgorithm);
   coarsening.equilibrator = this->GetEquilibratorOptions();
@@ -206,6 +207,7 @@ void vtkFoamCoarsen::PrintSelf(ostream& os, vtkIndent indent) {
      << indent << "T2Area: " << this->T2Area << "\n"
      << indent << "Alpha: " << this->Alpha << "\n"
      << indent << "TwoSidedBubbles: " << this->TwoSidedBubbles << "\n"
+     << indent << "Stepping: " << this->Stepping << "\n"
      << indent << "TopologicalAlgorithm: " << this->TopologicalAlgorithm << "\n"
      << indent << "KeyframeInterval: " << this->KeyframeInterval << "\n"
      << indent << "KeyframeMemory: " << this->KeyframeMemory << "\n";

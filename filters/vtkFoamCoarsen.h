@@ -38,7 +38,8 @@ public:
 
   enum ThresholdsType { Absolute = 0, Relative = 1 };
   enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
-  enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2, Bidding = 3 };
+  enum SteppingType { Events = 0, FixedSteps = 1 };
+  enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2, Simultaneous = 3 };
 
   ///@{
   /**
@@ -109,15 +110,24 @@ public:
 
   ///@{
   /**
+   * How Equilibrator Newton goes through time: Events (default), from one topological event to the
+   * next, on the CPU alone; FixedSteps, in a frame or equal parts of one with all events of a step
+   * at once, on a GPU as well.
+   */
+  vtkSetClampMacro(Stepping, int, Events, FixedSteps);
+  vtkGetMacro(Stepping, int);
+  ///@}
+
+  ///@{
+  /**
    * The order of the topological operations in a frame of Equilibrator Junction. Final (default)
    * follows every cascade (thesis Figure 4.8); the two after it are there for comparison: Original
    * walks over the junctions once and equilibrates those where nothing gives way (Figure 4.4),
-   * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6). Bidding
-   * carries out many operations at once, where they do not meet; a GPU computes this one alone.
-   * With Equilibrator Newton Bidding goes in fixed steps; with the others it steps from event to
-   * event, on the CPU alone.
+   * Improved goes through bubbles and films in turn until nothing gives way (Figure 4.6).
+   * Simultaneous carries out many operations at once, where they do not meet; a GPU computes this
+   * one alone.
    */
-  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Bidding);
+  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Simultaneous);
   vtkGetMacro(TopologicalAlgorithm, int);
   ///@}
 
@@ -168,6 +178,7 @@ private:
   double T2Area = 0.05;
   double Alpha = 0.05;
   int TwoSidedBubbles = Remove;
+  int Stepping = Events;
   int TopologicalAlgorithm = Final;
   int KeyframeInterval = 10;
   int KeyframeMemory = 256;

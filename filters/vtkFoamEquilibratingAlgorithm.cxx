@@ -11,7 +11,7 @@
 #include "FoamWriting.h"
 #include "Message.h"
 #include "PipelineRequest.h"
-#include "equilibrium/equilibrator.h"
+#include "equilibrium/options.h"
 
 namespace {
 
@@ -48,6 +48,7 @@ foam::EquilibratorOptions vtkFoamEquilibratingAlgorithm::GetEquilibratorOptions(
   options.device = static_cast<foam::Device>(this->Device);
   options.tolerance = this->Tolerance;
   options.maximum_iterations = this->MaximumIterations;
+  options.linear_solver = static_cast<foam::LinearSolver>(this->LinearSolver);
   options.junction.sweep = static_cast<foam::Sweep>(this->Sweep);
   options.junction.root_search = static_cast<foam::RootSearch>(this->RootSearch);
   options.junction.energy_target = static_cast<foam::EnergyTarget>(this->EnergyTarget);
@@ -96,6 +97,7 @@ void vtkFoamEquilibratingAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
      << indent << "Device: " << this->Device << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "MaximumIterations: " << this->MaximumIterations << "\n"
+     << indent << "LinearSolver: " << this->LinearSolver << "\n"
      << indent << "Sweep: " << this->Sweep << "\n"
      << indent << "RootSearch: " << this->RootSearch << "\n"
      << indent << "EnergyTarget: " << this->EnergyTarget << "\n"

@@ -31,6 +31,7 @@ public:
 
   enum EquilibratorType { Newton = 0, Junction = 1 };
   enum DeviceType { Auto = 0, CPU = 1, CUDA = 2 };
+  enum LinearSolverType { Iterative = 0, Direct = 1 };
   enum SweepType { Jacobi = 0, GaussSeidel = 1 };
   enum RootSearchType { Angles = 0, Energies = 1 };
   enum EnergyTargetType { Zero = 0, Straight = 1 };
@@ -75,6 +76,15 @@ public:
    */
   vtkSetMacro(MaximumIterations, int);
   vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Newton with Device CUDA: how its systems of equations are solved, by MINRES (Iterative,
+   * default) or by a sparse factorisation (Direct, in a build with cuDSS).
+   */
+  vtkSetClampMacro(LinearSolver, int, Iterative, Direct);
+  vtkGetMacro(LinearSolver, int);
   ///@}
 
   ///@{
@@ -210,6 +220,7 @@ private:
   int Device = Auto;
   double Tolerance = 1e-9;
   int MaximumIterations = 256;
+  int LinearSolver = Iterative;
   int Sweep = Jacobi;
   int RootSearch = Angles;
   int EnergyTarget = Zero;

@@ -18,8 +18,8 @@
 
 #include "Message.h"
 #include "PipelineRequest.h"
-#include "build/from_points.h"
-#include "equilibrium/equilibrator.h"
+#include "construct/from_points.h"
+#include "engines/engines.h"
 #include "sampling/sampled_foam.h"
 
 vtkStandardNewMacro(vtkFoamFromPoints);

@@ -12,7 +12,7 @@
 #include "vtkPolyData.h"
 
 #include "PipelineRequest.h"
-#include "build/jittered_grid.h"
+#include "construct/jittered_grid.h"
 
 vtkStandardNewMacro(vtkFoamPoints);
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "equilibrium/newton_step.h"
+#include "physics/swap_rule.h"
 #include "topology/bidding.h"
 #include "topology/local_operations.h"
-#include "topology/swap_rule.h"
 
 namespace foam::newton {
 namespace detail {

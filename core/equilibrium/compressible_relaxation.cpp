@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "physics/swap_rule.h"
 #include "topology/operations.h"
-#include "topology/swap_rule.h"
 
 namespace foam {
 namespace {

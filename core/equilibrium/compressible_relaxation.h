@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "equilibrium/equilibrator.h"
+#include "base/abort.h"
 #include "mesh/foam.h"
 
 namespace foam {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "equilibrium/film_step.h"
+#include "physics/step_limits.h"
 
 namespace foam {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "equilibrium/equilibrator.h"
 #include "equilibrium/parallel_newton.h"
 #include "parallel/host.h"
 

@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "algebra/conjugate_residuals.h"
-#include "equilibrium/film_lagrangian.h"
 #include "parallel/host.h"
 #include "parallel/kernels.h"
+#include "physics/film_lagrangian.h"
 
 namespace foam {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "equilibrium/nested_dissection.h"
+#include "base/number.h"
 
 #include <algorithm>
 #include <bit>

@@ -8,8 +8,8 @@
 
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/globalisation.h"
+#include "physics/swap_rule.h"
 #include "topology/operations.h"
-#include "topology/swap_rule.h"
 
 namespace foam {
 namespace {

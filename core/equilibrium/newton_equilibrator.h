@@ -8,6 +8,7 @@
 
 #include "equilibrium/equilibrator.h"
 #include "equilibrium/lagrangian_system.h"
+#include "equilibrium/options.h"
 
 namespace foam {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/number.h"
 #include "equilibrium/gauges.h"
 #include "parallel/host.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "algebra/film_share.h"
-#include "equilibrium/film_lagrangian.h"
 #include "equilibrium/unknowns.h"
+#include "physics/film_lagrangian.h"
 
 namespace foam {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "equilibrium/film_step.h"
 #include "equilibrium/whole_foam_system.h"
+#include "physics/step_limits.h"
 
 namespace foam::newton {
 

@@ -19,14 +19,15 @@
 #include <utility>
 
 #include "algebra/direct_solver.h"
+#include "base/abort.h"
 #include "equilibrium/closing_films.h"
 #include "equilibrium/compressed_matrix.h"
-#include "equilibrium/equilibrator.h"
 #include "equilibrium/foam_preconditioner.h"
 #include "equilibrium/gauges.h"
 #include "equilibrium/minimal_residual.h"
 #include "equilibrium/newton_residual.h"
 #include "equilibrium/newton_step.h"
+#include "equilibrium/options.h"
 #include "equilibrium/parallel_measures.h"
 #include "topology/bidding.h"
 

@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "equilibrium/displacements.h"
-#include "equilibrium/film_lagrangian.h"
 #include "mesh/foam_view.h"
+#include "physics/film_lagrangian.h"
 
 namespace foam::newton {
 

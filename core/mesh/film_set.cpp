@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "mesh/number.h"
+#include "base/error.h"
 #include "mesh/validate.h"
 
 namespace foam {

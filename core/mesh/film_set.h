@@ -18,16 +18,22 @@ struct FilmSet : FoamRecord {
     std::int64_t right = -1; ///< BubbleId on the right
     double half_angle = 0;   ///< rad, > 0 where the film bulges to the right
     Wrap wrap;               ///< periods from start to end; (0, 0) unless Periodic
+
+    friend bool operator==(const Film&, const Film&) = default;
   };
   struct Bubble {
     std::int64_t id = 0;
     double pressure = 0;    ///< N/cm²
     double target_area = 0; ///< cm²
+
+    friend bool operator==(const Bubble&, const Bubble&) = default;
   };
 
   std::vector<Vec2> junctions; ///< cm
   std::vector<Film> films;
   std::vector<Bubble> bubbles; ///< in ascending order of id
+
+  friend bool operator==(const FilmSet&, const FilmSet&) = default;
 };
 
 /// The films of a foam, compacted. Their order is that of the foam's films.

@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "geometry/vec2.h"
@@ -13,12 +11,6 @@
 
 namespace foam {
 
-/// Bad input. The message names the cause and the offending value.
-class FoamError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /// What is known about a foam's equilibrium.
 struct EquilibriumReport {
   bool converged = false;
@@ -26,6 +18,8 @@ struct EquilibriumReport {
   double max_angle_error = 0; ///< rad, largest deviation from 120° at a junction that may move
   double max_area_error = 0;  ///< largest |A − A^τ|/A^τ
   double residual = 0;        ///< largest dimensionless residual of the equilibrium's equations
+
+  friend bool operator==(const EquilibriumReport&, const EquilibriumReport&) = default;
 };
 
 /// What is known about a foam as a whole.
@@ -38,6 +32,8 @@ struct FoamRecord {
   std::int64_t t2_count = 0;  ///< T2s so far
   std::int64_t t3_count = 0;  ///< T3s so far
   EquilibriumReport report;   ///< of the last equilibration
+
+  friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };
 
 /// A two-dimensional dry foam: the dual mesh of the thesis (3.2, 4.5.2), as a structure of arrays

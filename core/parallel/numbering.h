@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/number.h"
 #include "mesh/elements.h"
 
 namespace foam::parallel {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/number.h"
 #include "parallel/host.h"
 #include "parallel/kernels.h"
 #include "sampling/arcs.h"

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "algebra/device_direct_solver.h"
-#include "mesh/foam.h"
+#include "base/error.h"
 #include "parallel/gpu.cuh"
 #include "parallel/kernels.h"
 

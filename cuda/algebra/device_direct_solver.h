@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "algebra/direct_solver.h"
-#include "equilibrium/equilibrator.h"
+#include "equilibrium/options.h"
 
 namespace foam::cuda {
 

@@ -2,7 +2,7 @@
 //
 // In the place of cudss_solver.cu, where there is no cuDSS.
 #include "algebra/device_direct_solver.h"
-#include "mesh/foam.h"
+#include "base/error.h"
 
 namespace foam::cuda {
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "equilibrium/equilibrator.h"
+#include "equilibrium/options.h"
 
 namespace foam::cuda {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "mesh/foam.h"
+#include "base/error.h"
 
 namespace foam::cuda {
 

@@ -9,10 +9,11 @@
 #include <set>
 
 #include "../two_sided_bubbles.h"
-#include "evolution/collapse_bids.h"
 #include "foams.h"
 #include "hand_made.h"
 #include "parallel/host.h"
+#include "thesis/rules.h"
+#include "topology/collapse_bids.h"
 #include "topology/operations.h"
 
 namespace foam {
@@ -44,7 +45,8 @@ private:
 
 /// Thresholds at which very many films and bubbles of a foam give way.
 ThesisRules coarse_rules() {
-  return {.limit = {.t1_length = 0.5, .t2_area = 0.7}, .two_sided = TwoSidedBubbles::Remove};
+  return {.limit = {.t1_length = 0.5, .t2_area = 0.7},
+          .two_sided_bubbles = TwoSidedBubbles::Remove};
 }
 
 struct Collapsed {
@@ -167,7 +169,7 @@ TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Foam start = test::jittered_foam(GetParam(), 200, seed);
     const ThesisRules rules{.limit = {.t1_length = 0.4, .t2_area = 0.4},
-                            .two_sided = TwoSidedBubbles::Remove};
+                            .two_sided_bubbles = TwoSidedBubbles::Remove};
     Foam greedy = start;
     const OperationCount expected = collapse_greedily(greedy, rules);
     const Collapsed rounds = collapsed(Host(), start, rules);
@@ -181,7 +183,7 @@ TEST_P(Boundaries, TwoSidedBubblesAreRemoved) {
   const Foam start = test::with_two_sided_bubbles(test::jittered_foam(GetParam(), 300, 3));
   expect_valid(start);
   const ThesisRules rules{.limit = {.t1_length = 0, .t2_area = 1e9},
-                          .two_sided = TwoSidedBubbles::Remove};
+                          .two_sided_bubbles = TwoSidedBubbles::Remove};
   const Collapsed rounds = collapsed(Host(), start, rules);
   expect_valid(rounds.foam);
   EXPECT_GT(rounds.performed.t3, 5);
@@ -194,17 +196,19 @@ TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
   expect_valid(serial);
   Foam parallel = serial;
   const ThesisRules rules{.limit = {.t1_length = 0.05, .t2_area = 0},
-                          .two_sided = TwoSidedBubbles::Slide};
+                          .two_sided_bubbles = TwoSidedBubbles::Slide};
   std::int64_t slid = 0;
   for (Index b = 0; b < serial.bubble_capacity(); ++b) {
     if (serial.has_bubble(b) && serial.sides[Foam::size(b)] == 2 && rules.slides(serial, b)) {
-      slide_two_sided_bubble(serial, b, rules.sliding_distance());
+      slide_two_sided_bubble(serial, b, rules.two_sided().sliding_distance());
       ++slid;
     }
   }
   std::vector<std::uint8_t> waiting(parallel.bubble_half.size(), 1);
   Host host(4, 16);
-  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules, waiting.data()}).count,
+  EXPECT_EQ(Bidding<Host>(host)
+                .run(view_of(parallel), SlideBids{rules.two_sided(), waiting.data()})
+                .count,
             slid);
   EXPECT_GT(slid, 10);
   expect_same(parallel, serial);

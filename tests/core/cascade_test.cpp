@@ -5,9 +5,9 @@
 #include <set>
 
 #include "hand_made.h"
+#include "thesis/algorithms.h"
 #include "topology/cascade.h"
 #include "topology/operations.h"
-#include "topology/thesis_algorithms.h"
 
 namespace foam {
 namespace {

@@ -9,7 +9,9 @@
 #include <map>
 #include <vector>
 
-#include "evolution/coarsening.h"
+#include "coarsening/coarsening.h"
+#include "coarsening/diffusion.h"
+#include "engines/engines.h"
 #include "foams.h"
 #include "statistics/ensemble.h"
 #include "statistics/statistics.h"

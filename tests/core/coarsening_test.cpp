@@ -6,7 +6,10 @@
 #include <numeric>
 #include <thread>
 
-#include "evolution/coarsening.h"
+#include "base/error.h"
+#include "coarsening/coarsening.h"
+#include "coarsening/diffusion.h"
+#include "engines/engines.h"
 #include "foams.h"
 
 namespace foam::test {

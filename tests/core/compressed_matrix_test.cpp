@@ -11,7 +11,9 @@
 #include <limits>
 
 #include "../two_sided_bubbles.h"
-#include "build/honeycomb.h"
+#include "base/error.h"
+#include "construct/honeycomb.h"
+#include "engines/engines.h"
 #include "equilibrium/krylov_equilibrator.h"
 #include "foams.h"
 #include "topology/operations.h"

@@ -9,14 +9,15 @@
 #include <numbers>
 #include <random>
 
-#include "build/jittered_grid.h"
-#include "junction/junction_equilibrator.h"
+#include "construct/jittered_grid.h"
+#include "engines/engines.h"
 #include "junction_foams.h"
+#include "thesis/junction_equilibrator.h"
 
 namespace foam {
 namespace {
 
-using namespace junction;
+using namespace thesis;
 using std::numbers::pi;
 
 constexpr std::array kSearches{EnergyRootSearch{EnergyTarget::Zero},

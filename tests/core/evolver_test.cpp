@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "engines/engines.h"
 #include "equilibrium/equilibrator.h"
 #include "mesh/validate.h"
 #include "reference.h"

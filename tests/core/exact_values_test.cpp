@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engines/engines.h"
 #include "foams.h"
 #include "reference.h"
 

@@ -8,7 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "build/from_points.h"
+#include "construct/from_points.h"
+#include "engines/engines.h"
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/equilibrator.h"
 #include "foams.h"

@@ -9,7 +9,8 @@
 #include <random>
 #include <string>
 
-#include "build/jittered_grid.h"
+#include "base/error.h"
+#include "construct/jittered_grid.h"
 #include "hand_made.h"
 #include "topology/operations.h"
 

@@ -5,8 +5,9 @@
 
 #include <string>
 
-#include "build/from_points.h"
-#include "build/jittered_grid.h"
+#include "construct/from_points.h"
+#include "construct/jittered_grid.h"
+#include "engines/engines.h"
 #include "equilibrium/equilibrator.h"
 #include "mesh/film_set.h"
 #include "mesh/validate.h"

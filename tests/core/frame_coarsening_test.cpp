@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "build/jittered_grid.h"
-#include "evolution/frame_coarsening.h"
+#include "construct/jittered_grid.h"
+#include "engines/engines.h"
 #include "hand_made.h"
-#include "junction/junction_step.h"
+#include "thesis/frame_coarsening.h"
+#include "thesis/junction_step.h"
 #include "topology/operations.h"
 
 namespace foam {
@@ -59,7 +60,7 @@ TEST_P(Frames, KeepTheFoamValid) {
   options.equilibrator.maximum_iterations = 64;
   BuildOptions build;
   build.boundary = setting.boundary;
-  FrameCoarsening coarsening(options);
+  FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
   coarsening.restart(build_from_points(jittered_grid(40, 1, 1, 3), build));
   for (int frame = 1; frame <= 30; ++frame) {
     ASSERT_TRUE(coarsening.advance({}));
@@ -94,7 +95,7 @@ TEST(FrameCoarsening, RunsOnUntilADoubleBubbleWouldEnd) {
   options.two_sided_bubbles = TwoSidedBubbles::Slide;
   options.time_step = 0.2;
   options.equilibrator.maximum_iterations = 32;
-  FrameCoarsening coarsening(options);
+  FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
   coarsening.restart(free_foam(12, 1));
   int frames = 0;
   while (frames < 2000 && coarsening.advance({})) {
@@ -110,7 +111,7 @@ TEST(FrameCoarsening, TargetsFollowVonNeumann) { // (3.7.1)
   CoarseningOptions options = thesis_options();
   options.thresholds.t1_length = options.thresholds.t2_area = 0; // no events
   const Foam start = free_foam(25, 2);
-  FrameCoarsening coarsening(options);
+  FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
   coarsening.restart(start);
   ASSERT_TRUE(coarsening.advance({}));
   const double per_side = 2 * std::numbers::pi / 3 * 0.25 / 30;
@@ -128,7 +129,7 @@ TEST(FrameCoarsening, ContainersAndTorusesKeepTheirGas) {
     BuildOptions build;
     build.boundary = boundary;
     const Foam start = build_from_points(jittered_grid(36, 1, 0.5, 2), build);
-    FrameCoarsening coarsening(options);
+    FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
     coarsening.restart(start);
     for (int frame = 0; frame < 3; ++frame) {
       ASSERT_TRUE(coarsening.advance({}));
@@ -142,7 +143,7 @@ Foam quiet_frame(const Foam& start, TopologicalAlgorithm algorithm) {
   CoarseningOptions options = thesis_options();
   options.permeability = options.thresholds.t1_length = options.thresholds.t2_area = 0;
   options.topological_algorithm = algorithm;
-  FrameCoarsening coarsening(options);
+  FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
   coarsening.restart(start);
   EXPECT_TRUE(coarsening.advance({}));
   return coarsening.foam();
@@ -153,7 +154,7 @@ TEST(FrameCoarsening, OriginalAlgorithmEquilibratesAsItWalks) { // Figure 4.4
   const Foam start = free_foam(25, 2);
   Foam walked = start;
   for (Index j = 0; j < walked.junction_capacity(); ++j) {
-    junction::equilibrate_junction(walked, j, options.equilibrator.junction);
+    thesis::equilibrate_junction(walked, j, options.equilibrator.junction);
   }
   const Foam final = quiet_frame(start, TopologicalAlgorithm::Final);
   EXPECT_EQ(quiet_frame(start, TopologicalAlgorithm::Original).position,
@@ -178,7 +179,7 @@ TEST(FrameCoarsening, TwoSidedBubblesAreRemovedOrSlide) {
     options.two_sided_bubbles = choice;
     options.thresholds.t1_length = 0.025;
     Foam foam = with_floating_bubble();
-    FrameCoarsening coarsening(options);
+    FrameCoarsening coarsening(options, make_equilibrator(options.equilibrator));
     coarsening.restart(foam);
     ASSERT_TRUE(coarsening.advance({}));
     const Foam& after = coarsening.foam();
@@ -205,7 +206,7 @@ Foam double_bubble(double target) {
 }
 
 TEST(FrameCoarsening, ADoubleBubbleDoesNotEnd) {
-  FrameCoarsening coarsening(thesis_options());
+  FrameCoarsening coarsening(thesis_options(), make_equilibrator(thesis_options().equilibrator));
   const Foam start = double_bubble(0.06); // two sides short of six lose 4K·Δt = 0.07
   coarsening.restart(start);
   EXPECT_FALSE(coarsening.advance({}));
@@ -216,7 +217,7 @@ TEST(FrameCoarsening, ADoubleBubbleDoesNotEnd) {
 }
 
 TEST(FrameCoarsening, AbortLeavesTheFoamAsItWas) {
-  FrameCoarsening coarsening(thesis_options());
+  FrameCoarsening coarsening(thesis_options(), make_equilibrator(thesis_options().equilibrator));
   const Foam start = free_foam(30, 5);
   coarsening.restart(start);
   EXPECT_THROW(coarsening.advance([] { return true; }), Aborted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "build/from_points.h"
+#include "construct/from_points.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,8 @@
 #include <numeric>
 #include <string>
 
-#include "build/jittered_grid.h"
+#include "base/error.h"
+#include "construct/jittered_grid.h"
 #include "hand_made.h"
 #include "mesh/validate.h"
 

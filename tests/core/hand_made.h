@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "build/from_points.h"
+#include "construct/from_points.h"
 #include "mesh/film_set.h"
 #include "mesh/validate.h"
 

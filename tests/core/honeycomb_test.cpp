@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "build/honeycomb.h"
+#include "construct/honeycomb.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "foams.h"
 
 namespace foam {

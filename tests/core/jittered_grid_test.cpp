@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "build/jittered_grid.h"
+#include "base/error.h"
+#include "construct/jittered_grid.h"
 
 #include <gtest/gtest.h>
 

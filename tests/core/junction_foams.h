@@ -7,7 +7,7 @@
 #include <random>
 
 #include "hand_made.h"
-#include "junction/junction_system.h"
+#include "thesis/junction_system.h"
 
 namespace foam {
 
@@ -41,7 +41,7 @@ inline Foam triple() {
 /// Whether no junction is inverted (thesis 3.5.1).
 inline bool all_oriented(const Foam& foam) {
   for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    if (foam.has_junction(j) && !junction::oriented(junction::junction_star(foam, j))) {
+    if (foam.has_junction(j) && !thesis::oriented(thesis::junction_star(foam, j))) {
       return false;
     }
   }

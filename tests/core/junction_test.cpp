@@ -7,14 +7,16 @@
 #include <numbers>
 #include <random>
 
-#include "build/jittered_grid.h"
-#include "junction/junction_equilibrator.h"
+#include "base/error.h"
+#include "construct/jittered_grid.h"
+#include "engines/engines.h"
 #include "junction_foams.h"
+#include "thesis/junction_equilibrator.h"
 
 namespace foam {
 namespace {
 
-using namespace junction;
+using namespace thesis;
 using std::numbers::pi;
 
 constexpr AngleRootSearch kAngles;
@@ -505,7 +507,8 @@ TEST(JunctionEquilibrator, RejectsOptionsOutOfRange) {
   const auto rejects = [](auto change) {
     EquilibratorOptions options;
     change(options);
-    EXPECT_THROW(JunctionEquilibrator{options}, FoamError);
+    options.kind = EquilibratorKind::Junction;
+    EXPECT_THROW(make_equilibrator(options), FoamError);
   };
   rejects([](auto& o) { o.junction.damping = 0; });
   rejects([](auto& o) { o.junction.damping = 1.5; });
@@ -518,7 +521,8 @@ TEST(JunctionEquilibrator, RejectsOptionsOutOfRange) {
   try {
     EquilibratorOptions options;
     options.junction.damping = 2;
-    JunctionEquilibrator{options};
+    options.kind = EquilibratorKind::Junction;
+    make_equilibrator(options);
     ADD_FAILURE();
   } catch (const FoamError& error) {
     EXPECT_EQ(std::string(error.what()), "Damping must be in (0, 1], but is 2");

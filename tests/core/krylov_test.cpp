@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include "build/honeycomb.h"
+#include "construct/honeycomb.h"
 #include "equilibrium/compressed_matrix.h"
 #include "equilibrium/krylov_equilibrator.h"
 #include "equilibrium/newton_equilibrator.h"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newton's frames against von Neumann's law, the conservation of gas, and the coarsening from event
 // to event, a program of its own.
-#include "evolution/newton_frame_coarsening.h"
+#include "coarsening/newton_frame_coarsening.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
+#include "engines/engines.h"
 #include "foams.h"
 
 namespace foam::test {
@@ -16,7 +17,7 @@ namespace {
 CoarseningOptions frames(double time_step = 1.0 / 30) {
   CoarseningOptions options;
   options.time_step = time_step;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.stepping = Stepping::FixedSteps;
   return options;
 }
 
@@ -118,9 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(NewtonFrame, GoesWhereStepsFromEventToEventGo) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
     const Foam start = random_foam(100, boundary, 3);
-    const auto coarsened = [&](TopologicalAlgorithm algorithm, int steps) {
+    const auto coarsened = [&](Stepping stepping, int steps) {
       CoarseningOptions options = frames(0.5 / steps);
-      options.topological_algorithm = algorithm;
+      options.stepping = stepping;
       options.thresholds.t2_area = 0.002; // small: where a bubble's last gas goes is not the same
       const auto coarsening = make_coarsening(options);
       coarsening->restart(start);
@@ -129,9 +130,9 @@ TEST(NewtonFrame, GoesWhereStepsFromEventToEventGo) {
       }
       return coarsening->foam();
     };
-    const Foam expected = coarsened(TopologicalAlgorithm::Final, 60);
+    const Foam expected = coarsened(Stepping::Events, 60);
     const auto difference = [&](int steps) {
-      const Foam foam = coarsened(TopologicalAlgorithm::Bidding, steps);
+      const Foam foam = coarsened(Stepping::FixedSteps, steps);
       EXPECT_EQ(foam.sides, expected.sides);
       EXPECT_EQ(foam.t2_count, expected.t2_count);
       return sum(foam, [&](Index b) { return std::abs(foam.area(b) - expected.area(b)); });

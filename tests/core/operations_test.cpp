@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-#include "build/jittered_grid.h"
+#include "construct/jittered_grid.h"
 #include "hand_made.h"
 
 namespace foam {

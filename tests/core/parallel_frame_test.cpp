@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evolution/parallel_frame.h"
+#include "thesis/parallel_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "evolution/frame_coarsening.h"
+#include "engines/engines.h"
 #include "foams.h"
 #include "junction_foams.h"
 #include "parallel/host.h"
+#include "thesis/frame_coarsening.h"
 
 namespace foam {
 namespace {
@@ -24,7 +25,7 @@ struct Setting {
 CoarseningOptions options_of(const Setting& setting) {
   CoarseningOptions options;
   options.two_sided_bubbles = setting.two_sided;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.thresholds.relative = setting.relative;
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.maximum_iterations = 32;
@@ -40,7 +41,7 @@ class ParallelFrames : public testing::TestWithParam<Setting> {};
 TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
   const CoarseningOptions options = options_of(GetParam());
   Foam foam = test::jittered_foam(GetParam().boundary, 60, 3);
-  FrameCoarsening serial(options);
+  FrameCoarsening serial(options, make_equilibrator(options.equilibrator));
   serial.restart(foam);
   Host host;
   ParallelFrame<Host> parallel(host, options);
@@ -128,7 +129,7 @@ TEST(UpdateOrder, NobodyWithinReachIsInTheSameWave) {
   Foam foam = test::jittered_foam(Boundary::Free, 2000, 1);
   const FoamView mesh = view_of(foam);
   Host host;
-  junction::UpdateOrder<Host> order(host);
+  thesis::UpdateOrder<Host> order(host);
   for (const int reach : {1, 2}) {
     order.find(mesh, reach);
     EXPECT_LT(order.waves(), 60);
@@ -154,20 +155,20 @@ TEST(UpdateOrder, WavesDoWhatMovingOneAfterTheOtherDoes) {
     Foam waves = test::jittered_foam(Boundary::Free, 300, 2);
     disturb(waves, 0.1, 3);
     Foam serial = waves;
-    std::vector<junction::JunctionStep> step;
+    std::vector<thesis::JunctionStep> step;
     std::vector<Index> order(serial.position.size());
     std::iota(order.begin(), order.end(), Index{0});
     for (const Index j : order) {
-      step.push_back(junction::junction_step(serial, j, options));
+      step.push_back(thesis::junction_step(serial, j, options));
     }
     std::ranges::sort(order, {}, [](Index j) { // the hash that gives the order
-      return junction::scattered(static_cast<std::uint32_t>(j));
+      return thesis::scattered(static_cast<std::uint32_t>(j));
     });
     for (const Index j : order) {
-      junction::move_junction(serial, j, step[Foam::size(j)], options);
+      thesis::move_junction(serial, j, step[Foam::size(j)], options);
     }
     Host host;
-    junction::JacobiSweep<Host> sweep(host, options);
+    thesis::JacobiSweep<Host> sweep(host, options);
     sweep.prepare(view_of(waves));
     sweep.sweep(view_of(waves));
     EXPECT_EQ(waves.position, serial.position);
@@ -188,8 +189,8 @@ TEST(FoamView, GivesWhatTheFoamGives) {
     EXPECT_EQ(view.tangent(h), foam.tangent(h));
   }
   for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    EXPECT_EQ(junction::junction_step(view, j, options).position,
-              junction::junction_step(foam, j, options).position);
+    EXPECT_EQ(thesis::junction_step(view, j, options).position,
+              thesis::junction_step(foam, j, options).position);
   }
 }
 

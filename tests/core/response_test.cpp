@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "coarsening/diffusion.h"
 #include "equilibrium/lagrangian_system.h"
-#include "evolution/diffusion.h"
 #include "foams.h"
 
 namespace foam::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "build/jittered_grid.h"
+#include "construct/jittered_grid.h"
 #include "hand_made.h"
 #include "parallel/host.h"
 #include "statistics/parallel_statistics.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "topology/thresholds.h"
+#include "physics/thresholds.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,8 @@
 #include <random>
 #include <string>
 
-#include "build/jittered_grid.h"
+#include "base/error.h"
+#include "construct/jittered_grid.h"
 #include "hand_made.h"
 
 namespace foam {

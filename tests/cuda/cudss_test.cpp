@@ -9,7 +9,8 @@
 #include <string>
 
 #include "algebra/device_direct_solver.h"
-#include "build/honeycomb.h"
+#include "base/error.h"
+#include "construct/honeycomb.h"
 #include "equilibrium/parallel_newton.h"
 #include "mesh/device_foam.h"
 #include "mesh/validate.h"

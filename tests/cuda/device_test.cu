@@ -14,20 +14,22 @@
 
 #include "../two_sided_bubbles.h"
 #include "algebra/device_direct_solver.h"
-#include "build/honeycomb.h"
+#include "coarsening/coarsening.h"
+#include "construct/honeycomb.h"
+#include "engines/engines.h"
 #include "equilibrium/compressed_matrix.h"
 #include "equilibrium/krylov_equilibrator.h"
-#include "evolution/coarsening.h"
-#include "evolution/collapse_bids.h"
-#include "evolution/parallel_frame.h"
-#include "junction/jacobi_sweep.h"
 #include "mesh/device_foam.h"
 #include "mesh/film_set.h"
 #include "mesh/validate.h"
 #include "parallel/gpu.cuh"
 #include "parallel/host.h"
 #include "testing.h"
+#include "thesis/jacobi_sweep.h"
+#include "thesis/parallel_frame.h"
+#include "thesis/rules.h"
 #include "topology/bidding.h"
+#include "topology/collapse_bids.h"
 
 namespace foam {
 namespace {
@@ -42,7 +44,7 @@ Foam disordered(Index columns = 40) {
 
 /// Thresholds at which many films and bubbles of such a foam give way.
 ThesisRules coarse_rules(TwoSidedBubbles two_sided = TwoSidedBubbles::Remove) {
-  return {.limit = {.t1_length = 0.5, .t2_area = 0.8}, .two_sided = two_sided};
+  return {.limit = {.t1_length = 0.5, .t2_area = 0.8}, .two_sided_bubbles = two_sided};
 }
 
 void expect_same_topology(const Foam& a, const Foam& b) {
@@ -159,8 +161,8 @@ void update_order() {
   device.upload(foam);
   Gpu gpu;
   Host host;
-  junction::UpdateOrder<Gpu> on_gpu(gpu);
-  junction::UpdateOrder<Host> on_host(host);
+  thesis::UpdateOrder<Gpu> on_gpu(gpu);
+  thesis::UpdateOrder<Host> on_host(host);
   for (const int reach : {0, 1, 2}) {
     on_gpu.find(device.view(), reach);
     on_host.find(view_of(foam), reach);
@@ -184,12 +186,12 @@ void sweep() {
       device.upload(foam);
       Gpu gpu;
       Host host;
-      junction::JacobiSweep<Gpu> on_gpu(gpu, options);
-      junction::JacobiSweep<Host> on_host(host, options);
+      thesis::JacobiSweep<Gpu> on_gpu(gpu, options);
+      thesis::JacobiSweep<Host> on_host(host, options);
       on_gpu.prepare(device.view());
       on_host.prepare(view_of(foam));
-      const junction::Maxima there = on_gpu.sweep(device.view());
-      const junction::Maxima here = on_host.sweep(view_of(foam));
+      const thesis::Maxima there = on_gpu.sweep(device.view());
+      const thesis::Maxima here = on_host.sweep(view_of(foam));
       EXPECT_GT(here.position, 1e-3);
       EXPECT_NEAR(there.position, here.position, 1e-9);
       EXPECT_NEAR(there.pressure, here.pressure, 1e-9);
@@ -235,8 +237,10 @@ void sliding() {
   const ThesisRules rules = coarse_rules(TwoSidedBubbles::Slide);
   std::vector<std::uint8_t> waiting(foam.bubble_half.size(), 1);
   DeviceArray<std::uint8_t> waiting_there(waiting);
-  const auto there = Bidding<Gpu>(gpu).run(device.view(), SlideBids{rules, waiting_there.data()});
-  const auto here = Bidding<Host>(host).run(view_of(foam), SlideBids{rules, waiting.data()});
+  const auto there =
+      Bidding<Gpu>(gpu).run(device.view(), SlideBids{rules.two_sided(), waiting_there.data()});
+  const auto here =
+      Bidding<Host>(host).run(view_of(foam), SlideBids{rules.two_sided(), waiting.data()});
   EXPECT_GT(here.count, 10);
   EXPECT_EQ(there.count, here.count);
   Foam fetched = foam;
@@ -247,7 +251,8 @@ void sliding() {
 
 CoarseningOptions options_on(Device device) {
   CoarseningOptions options;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
+  options.stepping = Stepping::FixedSteps;
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.device = device;
   return options;

@@ -5,9 +5,11 @@
 #include <sstream>
 
 #include "algebra/device_direct_solver.h"
-#include "build/honeycomb.h"
+#include "base/error.h"
+#include "coarsening/coarsening.h"
+#include "construct/honeycomb.h"
+#include "engines/engines.h"
 #include "equilibrium/equilibrator.h"
-#include "evolution/coarsening.h"
 #include "testing.h"
 
 namespace foam {
@@ -15,7 +17,7 @@ namespace {
 
 CoarseningOptions options_on(Device device) {
   CoarseningOptions options;
-  options.topological_algorithm = TopologicalAlgorithm::Bidding;
+  options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.maximum_iterations = 4;
   options.equilibrator.device = device;

@@ -13,7 +13,7 @@ from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_o
 
 SAMPLES = Path(__file__).resolve().parents[2] / "sample-data"
 EQUILIBRATOR = {
-    "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "Sweep": 0,
+    "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "LinearSolver": 0, "Sweep": 0,
     "RootSearch": 0, "EnergyTarget": 0, "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
     "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
     "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
@@ -26,7 +26,7 @@ DEFAULTS = {
     vtkFoamCoarsen: {
         "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
         "T2Area": 0.05, "Thresholds": 0, "Alpha": 0.05, "TwoSidedBubbles": 0,
-        "TopologicalAlgorithm": 0, "KeyframeInterval": 10, "KeyframeMemory": 256,
+        "Stepping": 0, "TopologicalAlgorithm": 0, "KeyframeInterval": 10, "KeyframeMemory": 256,
         **EQUILIBRATOR},
     vtkFoamStatistics: {"IncludeBoundary": False},
     vtkFoamEnsembleStatistics: {"IncludeBoundary": False},

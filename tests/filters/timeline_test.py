@@ -60,12 +60,12 @@ class Times(unittest.TestCase):
 
 
 class FixedSteps(unittest.TestCase):
-    """Newton with Bidding."""
+    """Newton in fixed steps."""
 
     def test_equilibria_in_any_order_and_resumed(self):
         foam = foam_of_points(periodic=True)
-        algorithm = {"TopologicalAlgorithm": vtkFoamCoarsen.Bidding}
-        forward = coarsening_of(foam, **algorithm)
+        stepping = {"Stepping": vtkFoamCoarsen.FixedSteps}
+        forward = coarsening_of(foam, **stepping)
         frames = [go_to(forward, k)[0] for k in range(41)]
         for films in frames:
             self.assertEqual(single(films, "Converged"), 1)
@@ -74,7 +74,7 @@ class FixedSteps(unittest.TestCase):
         self.assertGreater(single(frames[40], "T2Count"), 0)
         for frame in (25, 3, 31):
             self.assertEqual(differences(go_to(forward, frame)[0], frames[frame]), [])
-        resumed = coarsening_of(frames[30], **algorithm)
+        resumed = coarsening_of(frames[30], **stepping)
         self.assertEqual(differences(go_to(resumed, 10)[0], frames[40]), [])
         by_events, _ = go_to(coarsening_of(foam), 40)
         self.assertAlmostEqual(single(frames[40], "Energy") / single(by_events, "Energy"), 1, delta=0.02)

@@ -13,6 +13,7 @@ simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
 
 EQUILIBRATOR = {
     "Equilibrator": "Newton", "Device": "Auto", "Tolerance": 1e-9, "MaximumIterations": 256,
+    "LinearSolver": "Iterative",
     "Sweep": "Jacobi", "RootSearch": "Angles", "EnergyTarget": "Zero", "EnergyDecay": 1,
     "OrientationInvariant": 0, "Damping": 0.1,
     "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
@@ -20,6 +21,7 @@ EQUILIBRATOR = {
 }
 EQUILIBRATOR_CHOICES = {
     "Equilibrator": ["Newton", "Junction"], "Device": ["Auto", "CPU", "CUDA"],
+    "LinearSolver": ["Iterative", "Direct"],
     "Sweep": ["Jacobi", "GaussSeidel"], "RootSearch": ["Angles", "Energies"],
     "EnergyTarget": ["Zero", "Straight"],
 }
@@ -31,7 +33,7 @@ PROXIES = {
     "FoamCoarsen": {
         "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
         "T2Area": 0.05, "Thresholds": "Absolute", "Alpha": 0.05, "TwoSidedBubbles": "Remove",
-        "TopologicalAlgorithm": "Final", "KeyframeInterval": 10, "KeyframeMemory": 256,
+        "Stepping": "Events", "TopologicalAlgorithm": "Final", "KeyframeInterval": 10, "KeyframeMemory": 256,
         **EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary": 0},
     "FoamEnsembleStatistics": {"IncludeBoundary": 0},
@@ -46,7 +48,8 @@ CHOICES = {
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
     "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
-                    "TopologicalAlgorithm": ["Final", "Original", "Improved", "Bidding"],
+                    "Stepping": ["Events", "FixedSteps"],
+                    "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
     "FoamStatistics": {},
     "FoamEnsembleStatistics": {},
@@ -55,7 +58,7 @@ PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"],
          "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
          "FoamEnsembleStatistics": None}
-JUNCTION_ONLY = {"Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
+JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
                  "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}
 
@@ -152,6 +155,10 @@ class Proxies(unittest.TestCase):
                     self.assertEqual(depends, [("Equilibrator", "1")], key)
                 elif key == "EnergyTarget":
                     self.assertEqual(depends, [("Equilibrator", "1"), ("RootSearch", "1")])
+                elif key == "Stepping":
+                    self.assertEqual(depends, [("Equilibrator", "0")])
+                elif key == "LinearSolver":
+                    self.assertEqual(depends, [("Equilibrator", "0"), ("Device", "2")])
                 elif key == "Alpha":
                     self.assertEqual(depends, [("Thresholds", "1")])
                 elif key in ("T1Length", "T2Area"):
@@ -162,7 +169,8 @@ class Proxies(unittest.TestCase):
         other = {"Newton": ("Junction", 1), "Auto": ("CPU", 1), "Jacobi": ("GaussSeidel", 1),
                  "Angles": ("Energies", 1), "Zero": ("Straight", 1),
                  "Free": ("Periodic", 1), "Initial": ("Uniform", 1), "Absolute": ("Relative", 1),
-                 "Remove": ("Slide", 1), "Final": ("Original", 1)}
+                 "Remove": ("Slide", 1), "Final": ("Original", 1), "Events": ("FixedSteps", 1),
+                 "Iterative": ("Direct", 1)}
         self.assertTrue(foam.vtkFoamFilters)
         for name, defaults in PROXIES.items():
             proxy = servermanager.CreateProxy(

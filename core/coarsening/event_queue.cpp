@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coarsening/event_queue.h"
+
+#include <tuple>
+
+namespace foam {
+
+void EventQueue::clear(const Foam& foam) {
+  entries_ = {};
+  bubble_version_.assign(foam.bubble_half.size(), 0);
+  film_version_.assign(foam.film_angle.size(), 0);
+}
+
+void EventQueue::expect(const Event& event) {
+  entries_.push({event, ++version(event)});
+}
+
+std::optional<Event> EventQueue::next() {
+  while (!entries_.empty()) {
+    const Entry entry = entries_.top();
+    entries_.pop();
+    if (entry.version == version(entry.event)) {
+      return entry.event;
+    }
+  }
+  return std::nullopt;
+}
+
+std::uint32_t& EventQueue::version(const Event& event) {
+  return (event.kind == Event::Kind::Collapse ? bubble_version_
+                                              : film_version_)[Foam::size(event.element)];
+}
+
+bool EventQueue::Entry::operator<(const Entry& other) const {
+  return std::tie(event.time, event.kind, event.element) >
+         std::tie(other.event.time, other.event.kind, other.event.element);
+}
+
+} // namespace foam

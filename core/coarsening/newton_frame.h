@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A frame of coarsening in which Newton's method finds the equilibria, every step of it in parallel
+// on a machine (parallel/host.h).
+//
+// The frame goes in equal steps, so short that no bubble above the thresholds loses more than half
+// of its gas in one, but in no more than kMostSteps. In a step those bubbles give way whose end has
+// come (NewtonRules), gas diffuses, and the foam finds its equilibrium. A bubble that would have to
+// give way and cannot, because a neighbour has two sides, say, keeps its gas until it can; in a
+// closed container what it does not give is taken evenly from all others. So gas is conserved, and
+// none is made.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "coarsening/frame_result.h"
+#include "coarsening/newton_rules.h"
+#include "coarsening/options.h"
+#include "equilibrium/parallel_newton.h"
+#include "parallel/flags.h"
+#include "topology/collapse_bids.h"
+
+namespace foam {
+namespace detail {
+
+/// dA^τ/dt, cm²/s, but for bubbles that would lose more gas than they can.
+struct BearableRate {
+  NewtonRules rules;
+
+  FOAM_HOST_DEVICE double operator()(Index bubble) const {
+    return bearable(bubble) ? rules.rate(bubble) : 0;
+  }
+  FOAM_HOST_DEVICE bool evens_out(Index bubble) const {
+    return bearable(bubble) &&
+           (mesh().boundary == Boundary::Periodic || rules.rate.evens_out(bubble));
+  }
+
+private:
+  FOAM_HOST_DEVICE const FoamView& mesh() const { return rules.rate.mesh; }
+  FOAM_HOST_DEVICE bool bearable(Index bubble) const {
+    return mesh().target_area[bubble] >= rules.needed(bubble);
+  }
+};
+
+/// In how many steps the bubble can go through the time step of the rules.
+struct StepsOf {
+  NewtonRules rules;
+
+  FOAM_HOST_DEVICE double operator()(Index bubble) const {
+    const FoamView& mesh = rules.rate.mesh;
+    return mesh.has_bubble(bubble) ? rules.needed(bubble) / std::max(mesh.target_area[bubble],
+                                                                     rules.end_area(mesh, bubble))
+                                   : 0;
+  }
+};
+
+struct Vanishes {
+  NewtonRules rules;
+
+  FOAM_HOST_DEVICE bool operator()(Index bubble) const {
+    const FoamView& mesh = rules.rate.mesh;
+    return mesh.has_bubble(bubble) && rules.vanishes(mesh, bubble);
+  }
+};
+
+} // namespace detail
+
+template <class Machine> class NewtonFrame {
+public:
+  /// \param direct see ParallelNewton.
+  NewtonFrame(Machine& machine, const CoarseningOptions& options,
+              std::unique_ptr<DirectSolver> direct = nullptr)
+      : machine_(machine), options_(options), bidding_(machine),
+        newton_(machine, options.equilibrator, std::move(direct)), allowed_(machine) {}
+
+  /// Advances a mesh by one time step. Where no equilibrium is found it is done once more with
+  /// care: in four times as many steps, and with T1s of films up to a tenth of the bubbles'
+  /// spacing. \param begin called as begin(), gives the mesh as it was before the frame. Where the
+  /// frame throws Aborted or is not performed, the mesh is somewhere in between.
+  template <class Begin> FrameResult advance(const Begin& begin, const AbortCheck& aborted) {
+    const FrameResult result = try_to_advance(begin(), false, aborted);
+    return result.performed && result.report.converged ? result
+                                                       : try_to_advance(begin(), true, aborted);
+  }
+
+private:
+  static constexpr double kMostSteps = 16;
+  static constexpr double kCare = 4;        // times as many steps
+  static constexpr double kCarefulT1 = 0.1; // of the mean spacing
+
+  FrameResult try_to_advance(const FoamView& mesh, bool careful, const AbortCheck& aborted) {
+    NewtonRules rules = rules_of(mesh, careful);
+    const double needed =
+        machine_.reduce(mesh.bubbles, 0.0, detail::StepsOf{rules}, parallel::Larger{});
+    const double steps = (careful ? kCare : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
+    rules.time_step /= steps;
+    FrameResult result;
+    for (int step = 0; step < steps; ++step) {
+      if (!take_step(mesh, rules, aborted, result)) {
+        return {};
+      }
+    }
+    result.performed = true;
+    return result;
+  }
+
+  NewtonRules rules_of(const FoamView& mesh, bool careful) {
+    const AreaRate rate = area_rate(mesh, options_.permeability);
+    const BubbleSums sums = sum_bubbles(machine_, mesh, rate);
+    const double spacing = std::sqrt(sums.mean_area());
+    Thresholds limit = newton_thresholds(
+        thresholds(machine_, mesh, sums.target_area, options_.thresholds), spacing);
+    limit.t1_length = std::max(limit.t1_length, careful ? kCarefulT1 * spacing : 0);
+    return {.limit = limit,
+            .two_sided = {options_.two_sided_bubbles, limit.t1_length},
+            .remnant_area = std::max(limit.t2_area, kRemnantArea * sums.mean_area()),
+            .rate = rate,
+            .time_step = options_.time_step};
+  }
+
+  /// \returns false if the foam cannot go on.
+  bool take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
+                 FrameResult& result) {
+    if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
+      bidding_.run(mesh, SlideBids{rules.two_sided, allowed_.all_set(mesh.bubbles)});
+    }
+    std::uint8_t* const swappable = allowed_.all_set(mesh.films);
+    rules.swappable = swappable;
+    result.operations =
+        result.operations + bidding_.run(mesh, CollapseBids<NewtonRules>{rules, swappable});
+
+    const detail::BearableRate rate{rules};
+    const BubbleSums sums = sum_bubbles(machine_, mesh, rate);
+    if (mesh.boundary == Boundary::Free && sums.bubbles == 2 &&
+        machine_.reduce(mesh.bubbles, false, detail::Vanishes{rules}, parallel::Or{})) {
+      return false;
+    }
+    diffuse(machine_, mesh, rate, sums, rules.time_step);
+
+    const newton::NewtonResult found = newton_.equilibrate(mesh, rules.limit.t1_length, aborted);
+    const int iterations = result.report.iterations + found.report.iterations;
+    result.report = found.report;
+    result.report.iterations = iterations;
+    result.operations.t1 += found.t1;
+    return found.report.converged || measure_equilibrium(machine_, mesh).possible;
+  }
+
+  Machine& machine_;
+  CoarseningOptions options_;
+  Bidding<Machine> bidding_;
+  newton::ParallelNewton<Machine> newton_;
+  parallel::Flags<Machine> allowed_;
+};
+
+} // namespace foam

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "equilibrium/options.h"
+#include "physics/thresholds.h"
+#include "topology/two_sided.h"
+
+namespace foam {
+
+/// How Newton's coarsening goes through time.
+enum class Stepping {
+  Events,    ///< from one topological event to the next
+  FixedSteps ///< in equal steps, with all events of a step at once, as on a GPU
+};
+
+/// In which order a frame of the thesis performs its topological operations (thesis 4.3).
+enum class TopologicalAlgorithm {
+  Final,       ///< Figure 4.8, which follows every cascade
+  Original,    ///< Figure 4.4, a walk over the junctions that is the frame's first sweep as well
+  Improved,    ///< Figure 4.6, bubbles and films in turn until nothing gives way
+  Simultaneous ///< many at once, where they do not meet (topology/bidding.h), as on a GPU
+};
+
+struct CoarseningOptions {
+  double time_step = 1.0 / 30; ///< Δt, s, > 0
+  double permeability = 1;     ///< κ, cm²/s in the thesis's units, ≥ 0
+  ThresholdOptions thresholds;
+  TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
+  Stepping stepping = Stepping::Events;                                     ///< of Newton
+  TopologicalAlgorithm topological_algorithm = TopologicalAlgorithm::Final; ///< of Junction
+  EquilibratorOptions equilibrator;
+
+  friend bool operator==(const CoarseningOptions&, const CoarseningOptions&) = default;
+};
+
+/// \throws FoamError for options out of range.
+void check(const CoarseningOptions& options);
+
+} // namespace foam

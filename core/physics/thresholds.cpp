@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/thresholds.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+
+namespace foam {
+
+void check(const ThresholdOptions& options) {
+  require(options.t1_length >= 0, "T1Length", "at least 0", options.t1_length);
+  require(options.t2_area >= 0, "T2Area", "at least 0", options.t2_area);
+  require(options.alpha > 0, "Alpha", "positive", options.alpha);
+}
+
+Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options) {
+  if (!options.relative) {
+    return {options.t1_length, options.t2_area};
+  }
+  const double t1_length =
+      options.alpha * std::sqrt(2 * total_area / (std::numbers::pi * junctions));
+  return {t1_length, t1_length * t1_length};
+}
+
+Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
+  double total_area = 0;
+  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    if (foam.has_bubble(b)) {
+      total_area += foam.target_area[Foam::size(b)];
+    }
+  }
+  return thresholds(total_area, foam.junction_count(), options);
+}
+
+} // namespace foam

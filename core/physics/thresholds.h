@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/foam.h"
+#include "mesh/foam_view.h"
+#include "parallel/kernels.h"
+
+namespace foam {
+
+/// How small a film or a bubble is when it gives way, in the foam's units.
+struct Thresholds {
+  double t1_length = 0; ///< δ_T1, cm
+  double t2_area = 0;   ///< δ_T2, cm²
+};
+
+/// The user's choice of thresholds (thesis 3.2.2).
+struct ThresholdOptions {
+  bool relative = false;    ///< false: the two absolute values; true: Weygand's, from alpha
+  double t1_length = 0.025; ///< cm, ≥ 0
+  double t2_area = 0.05;    ///< cm², ≥ 0
+  double alpha = 0.05;      ///< Weygand's α, > 0
+
+  friend bool operator==(const ThresholdOptions&, const ThresholdOptions&) = default;
+};
+
+/// \throws FoamError for options out of range.
+void check(const ThresholdOptions& options);
+
+/// The thresholds in force for a foam. Relative ones follow D. Weygand, Y. Bréchet and J. Lépinoux,
+/// Phil. Mag. B 78 (1998) 329, as in the thesis (3.2.2): δ_T1 = α·√(2·A_total/(π·m)) for m
+/// junctions, δ_T2 = δ_T1².
+Thresholds thresholds(const Foam& foam, const ThresholdOptions& options);
+
+/// The same from A_total (cm²) and m.
+Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options);
+
+namespace detail {
+
+struct IsJunction {
+  FoamView mesh;
+
+  FOAM_HOST_DEVICE Index operator()(Index junction) const {
+    return mesh.has_junction(junction) ? 1 : 0;
+  }
+};
+
+} // namespace detail
+
+/// The same for a foam on a machine (parallel/host.h), from A_total (cm²).
+template <class Machine>
+Thresholds thresholds(Machine& machine, const FoamView& mesh, double total_area,
+                      const ThresholdOptions& options) {
+  const Index junctions =
+      options.relative
+          ? machine.reduce(mesh.junctions, Index{0}, detail::IsJunction{mesh}, parallel::Add{})
+          : 0;
+  return thresholds(total_area, junctions, options);
+}
+
+} // namespace foam

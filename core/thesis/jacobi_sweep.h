@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The thesis's method with all junctions at once (Figure 4.12), on any machine (parallel/host.h):
+// all junctions solve against one state of the foam. Positions then change in the order of
+// update_order.h, as the constraints need it, pressures all at the end, each bubble gathering the
+// changes of its junctions in the order of its films.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/abort.h"
+#include "equilibrium/options.h"
+#include "equilibrium/parallel_measures.h"
+#include "thesis/junction_step.h"
+#include "thesis/update_order.h"
+
+namespace foam::thesis {
+
+/// The largest changes of a sweep, for the halting rule (thesis 4.2.1).
+struct Maxima {
+  double pressure = 0;  ///< |Δp|, N/cm²
+  double position = 0;  ///< |Δx|, cm
+  bool solvable = true; ///< no junction's system was singular
+
+  FOAM_HOST_DEVICE void include(const JunctionChange& change) {
+    solvable = solvable && change.solvable;
+    for (const double dp : change.pressure) {
+      pressure = std::max(pressure, std::abs(dp));
+    }
+    position = std::max(position, norm(change.position));
+  }
+};
+
+namespace detail {
+
+struct Solve {
+  static constexpr std::size_t kLeastPerThread = 64;
+
+  FoamView mesh;
+  JunctionOptions options;
+  JunctionStep* step = nullptr;
+
+  FOAM_HOST_DEVICE void operator()(Index junction) const {
+    if (mesh.has_junction(junction)) {
+      step[junction] = junction_step(mesh, junction, options);
+    }
+  }
+};
+
+struct Move {
+  FoamView mesh;
+  JunctionOptions options;
+  Index wave = 0;
+  const Index* wave_of = nullptr;
+  const JunctionStep* step = nullptr;
+  JunctionChange* change = nullptr;
+
+  FOAM_HOST_DEVICE void operator()(Index junction) const {
+    if (wave_of[junction] == wave && mesh.has_junction(junction)) {
+      FoamView moved = mesh;
+      change[junction] = move_junction(moved, junction, step[junction], options);
+    }
+  }
+};
+
+struct GatherPressure {
+  FoamView mesh;
+  const JunctionChange* change = nullptr;
+
+  FOAM_HOST_DEVICE void operator()(Index bubble) const {
+    if (mesh.has_bubble(bubble)) {
+      double sum = 0;
+      for_each_half(mesh, bubble, [&](Index h) {
+        const Index junction = mesh.start(h);
+        const std::array<Index, 3>& halves = mesh.junction_half[FoamView::size(junction)];
+        const std::size_t k = halves[0] == h ? 0 : (halves[1] == h ? 1 : 2);
+        sum += change[junction].pressure[k];
+      });
+      mesh.pressure[bubble] += sum / mesh.sides[bubble];
+    }
+  }
+};
+
+struct MaximaOf {
+  FoamView mesh;
+  const JunctionChange* change = nullptr;
+
+  FOAM_HOST_DEVICE Maxima operator()(Index junction) const {
+    Maxima maxima;
+    if (mesh.has_junction(junction)) {
+      maxima.include(change[junction]);
+    }
+    return maxima;
+  }
+};
+
+struct LargerOfEach {
+  FOAM_HOST_DEVICE Maxima operator()(const Maxima& a, const Maxima& b) const {
+    return {std::max(a.pressure, b.pressure), std::max(a.position, b.position),
+            a.solvable && b.solvable};
+  }
+};
+
+/// The half-angles that go with the pressures.
+struct WriteHalfAngle {
+  FoamView mesh;
+
+  FOAM_HOST_DEVICE void operator()(Index film) const {
+    const Index h = 2 * film;
+    if (mesh.has_film(film)) {
+      const double difference = mesh.pressure_of(mesh.left(h)) - mesh.pressure_of(mesh.right(h));
+      mesh.film_angle[film] =
+          mesh.wall(h) ? 0
+                       : thesis_half_angle(norm(mesh.chord(h)), difference, mesh.surface_tension);
+    }
+  }
+};
+
+} // namespace detail
+
+/// Sweeps over all junctions of a mesh at once.
+template <class Machine> class JacobiSweep {
+public:
+  JacobiSweep(Machine& machine, const JunctionOptions& options)
+      : machine_(machine), options_(options), order_(machine) {}
+
+  /// Prepares for a mesh; to be called anew after every topological change.
+  void prepare(const FoamView& mesh) {
+    order_.find(mesh, constraint_reach(options_));
+    step_.resize(FoamView::size(mesh.junctions));
+    change_.resize(FoamView::size(mesh.junctions));
+  }
+
+  Maxima sweep(const FoamView& mesh) {
+    machine_.for_each(mesh.junctions, detail::Solve{mesh, options_, step_.data()});
+    for (Index wave = 0; wave < order_.waves(); ++wave) {
+      machine_.for_each(mesh.junctions, detail::Move{mesh, options_, wave, order_.wave(),
+                                                     step_.data(), change_.data()});
+    }
+    machine_.for_each(mesh.bubbles, detail::GatherPressure{mesh, change_.data()});
+    return machine_.reduce(mesh.junctions, Maxima{}, detail::MaximaOf{mesh, change_.data()},
+                           detail::LargerOfEach{});
+  }
+
+private:
+  Machine& machine_;
+  JunctionOptions options_;
+  UpdateOrder<Machine> order_;
+  typename Machine::template Array<JunctionStep> step_;
+  typename Machine::template Array<JunctionChange> change_;
+};
+
+/// Figure 4.3, with the thesis's words where they differ from it: what counts are the changes after
+/// each junction's equilibration, another sweep follows if either maximum differs by more than its
+/// tolerance from the last sweep's, and it may differ in either direction.
+inline bool halt(const Maxima& now, const Maxima& old, const JunctionOptions& options) {
+  return std::abs(now.pressure - old.pressure) <= options.pressure_tolerance &&
+         std::abs(now.position - old.position) <= options.position_tolerance;
+}
+
+/// Calls sweep() until the halting rule is met, then gives the films the half-angles of their
+/// pressures and measures what was reached. \throws Aborted between two sweeps.
+template <class Machine, class Sweep>
+EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
+                                const EquilibratorOptions& options, const AbortCheck& aborted,
+                                Sweep&& sweep) {
+  EquilibriumReport report;
+  Maxima now;
+  bool halted = false;
+  while (!halted && report.iterations < options.maximum_iterations) {
+    if (aborted && aborted()) {
+      throw Aborted();
+    }
+    const Maxima old = now;
+    now = sweep();
+    ++report.iterations;
+    halted = halt(now, old, options.junction);
+  }
+  machine.for_each(mesh.films, detail::WriteHalfAngle{mesh});
+  const EquilibriumMeasures measures = measure_equilibrium(machine, mesh);
+  report.max_angle_error = measures.angle_error;
+  report.max_area_error = measures.area_error;
+  report.residual = std::max(report.max_angle_error, report.max_area_error);
+  report.converged = halted && now.solvable && std::isfinite(report.residual) && measures.possible;
+  return report;
+}
+
+} // namespace foam::thesis

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "coarsening/coarsening.h"
+#include "coarsening/frame_result.h"
+#include "mesh/device_foam.h"
+#include "parallel/gpu.cuh"
+#include "sampling/foam_sampler.h"
+#include "statistics/parallel_statistics.h"
+
+namespace foam::cuda {
+
+/// Frames of a foam that stays on the device: it is sent there by restart() and fetched by foam().
+/// It is sampled and measured there, and only what is shown of it is fetched. In a frame nothing
+/// crosses but the results of reductions.
+/// \tparam Frame ParallelFrame<Gpu> or NewtonFrame<Gpu>
+template <class Frame> class ResidentCoarsening final : public Coarsening {
+public:
+  /// \param parts what else the frame is made of.
+  template <class... Parts>
+  explicit ResidentCoarsening(const CoarseningOptions& options, Parts&&... parts)
+      : time_step_(options.time_step), frame_(gpu_, options, std::forward<Parts>(parts)...),
+        sampler_(gpu_), statistics_(gpu_) {}
+
+  void restart(Foam foam) override {
+    foam_ = std::move(foam);
+    now_.upload(foam_);
+    names_ = BubbleNames<Gpu>(foam_.bubble_id);
+    fetched_ = true;
+  }
+
+  bool advance(const AbortCheck& aborted) override {
+    const auto begin = [this] {
+      next_.copy_from(now_);
+      return next_.view();
+    };
+    const FrameResult result = frame_.advance(begin, aborted);
+    if (!result.performed) {
+      return false;
+    }
+    std::swap(now_, next_);
+    note(foam_, result, time_step_);
+    fetched_ = false;
+    return true;
+  }
+
+  const Foam& foam() const override {
+    if (!fetched_) {
+      now_.download(foam_);
+      fetched_ = true;
+    }
+    return foam_;
+  }
+
+  const FoamRecord& record() const override { return foam_; }
+
+  SampledFoam sample(double chord_error) override {
+    SampledFoam sampled = sampler_.sample(now_.view(), names_, chord_error);
+    sampled.record = foam_;
+    return sampled;
+  }
+
+  FoamStatistics statistics(bool include_boundary) override {
+    return statistics_.measure(now_.view(), names_, include_boundary);
+  }
+
+private:
+  double time_step_; ///< s
+  Gpu gpu_;
+  Frame frame_;
+  FoamSampler<Gpu> sampler_;
+  ParallelStatistics<Gpu> statistics_;
+  DeviceFoam now_;
+  DeviceFoam next_;
+  BubbleNames<Gpu> names_;
+  mutable Foam foam_; ///< its arrays as they were when fetched last
+  mutable bool fetched_ = true;
+};
+
+} // namespace foam::cuda

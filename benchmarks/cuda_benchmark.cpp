@@ -88,9 +88,9 @@ double difference(const Foam& a, const Foam& b) {
     return HUGE_VAL;
   }
   double largest = 0;
-  for (Index f = 0; f < a.film_capacity(); ++f) {
+  for (const Film f : a.film_slots()) {
     if (a.has_film(f)) {
-      largest = std::max(largest, std::abs(a.length(2 * f) / b.length(2 * f) - 1));
+      largest = std::max(largest, std::abs(a.length(f.half()) / b.length(f.half()) - 1));
     }
   }
   return largest;

@@ -25,12 +25,12 @@
 
 #include "base/number.h"
 #include "coarsening/coarsening.h"
-#include "coarsening/diffusion.h"
 #include "construct/from_points.h"
 #include "construct/jittered_grid.h"
 #include "engines/engines.h"
 #include "equilibrium/nested_dissection.h"
 #include "equilibrium/newton_matrix.h"
+#include "physics/gas.h"
 
 namespace {
 
@@ -90,7 +90,7 @@ double allocated() {
 
 std::vector<Vec2> random_points(Index count, double side) {
   std::mt19937_64 generator(1);
-  std::vector<Vec2> points(Foam::size(count));
+  std::vector<Vec2> points(place_of(count));
   for (Vec2& p : points) {
     p.x = side * static_cast<double>(generator() >> 11) * 0x1p-53;
     p.y = side * static_cast<double>(generator() >> 11) * 0x1p-53;
@@ -104,7 +104,7 @@ Foam random_foam(Index bubbles) {
   const double side = std::sqrt(bubbles);
   BuildOptions options;
   options.boundary = Boundary::Periodic;
-  options.periodic_box = Box{0, side, 0, side};
+  options.torus = Lattice::rectangle(0, side, 0, side);
   Foam foam = build_from_points(random_points(bubbles, side), options);
   for (double& area : foam.target_area) {
     area = 0.5 * (area + 1);
@@ -114,33 +114,36 @@ Foam random_foam(Index bubbles) {
 
 /// In the format of Surface Evolver's data files (K. A. Brakke, Surface Evolver Manual, ch. 5).
 void write_evolver_file(const Foam& foam, const std::string& path) {
+  const auto number = [](auto element) { return element.index() + 1; };
+  const auto& [origin, first, second] = foam.surroundings.lattice;
   std::ofstream file(path);
   file.precision(17);
   file << "STRING\nSPACE_DIMENSION 2\nTORUS_FILLED\nPERIODS\n"
-       << foam.box.width() << " 0\n0 " << foam.box.height()
+       << first.x << ' ' << first.y << '\n'
+       << second.x << ' ' << second.y
        << "\nlength_method_name \"circular_arc_length\"\narea_method_name \"circular_arc_area\""
        << "\nVERTICES\n";
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    const Vec2 p = foam.position[Foam::size(j)];
-    file << j + 1 << ' ' << p.x << ' ' << p.y << '\n';
+  for (const Junction j : foam.junction_slots()) {
+    const Vec2 p = foam.position[j];
+    file << number(j) << ' ' << p.x << ' ' << p.y << '\n';
   }
   const auto wrap = [](Index periods) { return periods == 0 ? '*' : (periods > 0 ? '+' : '-'); };
   file << "EDGES\n";
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    const Wrap w = foam.wrap(2 * f);
-    file << f + 1 << ' ' << foam.start(2 * f) + 1 << ' ' << foam.end(2 * f) + 1 << ' ' << wrap(w.x)
-         << ' ' << wrap(w.y) << '\n';
+  for (const Film f : foam.film_slots()) {
+    const Wrap w = foam.wrap(f.half());
+    file << number(f) << ' ' << number(foam.start(f.half())) << ' ' << number(foam.end(f.half()))
+         << ' ' << wrap(w.x) << ' ' << wrap(w.y) << '\n';
   }
   file << "FACES\n";
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    file << b + 1;
+  for (const Bubble b : foam.bubble_slots()) {
+    file << number(b);
     for_each_half(foam, b,
-                  [&](Index h) { file << ' ' << (h % 2 == 0 ? 1 : -1) * (Foam::film_of(h) + 1); });
+                  [&](Half h) { file << ' ' << (h.reversed() ? -1 : 1) * number(h.film()); });
     file << '\n';
   }
   file << "BODIES\n";
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    file << b + 1 << ' ' << b + 1 << " volume " << foam.target_area[Foam::size(b)] << '\n';
+  for (const Bubble b : foam.bubble_slots()) {
+    file << number(b) << ' ' << number(b) << " volume " << foam.target_area[b] << '\n';
   }
 }
 
@@ -158,7 +161,7 @@ void time_equilibrium(Index bubbles, const std::string& evolver_file) {
       .add("iterations", report.iterations)
       .add("t1", foam.t1_count)
       .add("residual", report.residual)
-      .add("length", foam.energy() / (2 * foam.surface_tension))
+      .add("length", foam.energy() / foam.reference_tension())
       .add("unconverged", report.converged ? 0 : 1)
       .add("memory_mib", peak_memory_mib())
       .print();
@@ -215,7 +218,7 @@ Foam thesis_foam(Index bubbles, Boundary boundary) {
   build.boundary = boundary;
   if (boundary == Boundary::Periodic) {
     const double side = kSpacing * std::ceil(std::sqrt(bubbles));
-    build.periodic_box = Box{0, side, 0, side};
+    build.torus = Lattice::rectangle(0, side, 0, side);
   }
   return build_from_points(jittered_grid(bubbles, kSpacing, 1, 1), build);
 }
@@ -237,7 +240,7 @@ void time_build(Index points) {
     const std::vector<Vec2> where = random_points(points, side);
     BuildOptions options;
     options.boundary = boundary;
-    options.periodic_box = Box{0, side, 0, side};
+    options.torus = Lattice::rectangle(0, side, 0, side);
     const Stopwatch watch;
     const Foam foam = build_from_points(where, options);
     Record(boundary == Boundary::Free ? "build_free" : "build_periodic")

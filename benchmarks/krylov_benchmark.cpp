@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "construct/honeycomb.h"
-#include "equilibrium/lagrangian_system.h"
-#include "equilibrium/parallel_newton.h"
+#include "equilibrium/factorising_solver.h"
+#include "equilibrium/machine_newton.h"
 #include "parallel/host.h"
 
 namespace foam {
@@ -29,61 +29,62 @@ template <class Work> double processor_seconds(Work&& work) {
 class Krylov {
 public:
   explicit Krylov(Foam& foam)
-      : mesh_(view_of(foam)), units_{foam.mean_spacing(), 2 * foam.surface_tension},
+      : mesh_(view_of(std::as_const(foam))), units_{foam.mean_spacing(), foam.reference_tension()},
         stiffness_(foam.film_angle.size()), gradient_(foam.film_angle.size()),
-        solution_(Foam::size(newton::size_of(mesh_))) {}
+        solution_(place_of(newton::size_of(mesh_))) {}
 
   void set_up() {
-    host_.for_each(mesh_.films,
-                   newton::Linearise{mesh_, units_, 0, stiffness_.data(), gradient_.data()});
-    preconditioner_.set_up({mesh_, stiffness_.data()}, units_);
+    linearise(host_, mesh_, units_, 0, FieldView<Film, newton::FilmStiffness>(stiffness_.data()),
+              FieldView<Film, newton::FilmGradient>(gradient_.data()));
+    preconditioner_.set_up(matrix(), units_);
   }
 
   /// \returns iterations.
   int solve(const std::vector<double>& right, double tolerance) {
-    const newton::WholeFoamMatrix matrix{mesh_, stiffness_.data()};
     return solver_.solve(
         newton::size_of(mesh_), right.data(), solution_.data(), tolerance, 1000,
-        [&](const double* from, double* to) {
-          host_.for_each(mesh_.junctions + mesh_.bubbles, newton::Multiply{matrix, from, to});
-        },
+        [&](const double* from, double* to) { newton::multiply(host_, matrix(), from, to); },
         [&](const double* from, double* to) { preconditioner_.apply(from, to); });
   }
 
 private:
+  newton::WholeFoamMatrix matrix() const {
+    return {mesh_, FieldView<Film, const newton::FilmStiffness>(stiffness_.data())};
+  }
+
   Host host_{1};
-  FoamView mesh_;
+  ConstFoamView mesh_;
   newton::Units units_;
   std::vector<newton::FilmStiffness> stiffness_;
   std::vector<newton::FilmGradient> gradient_;
   std::vector<double> solution_;
   newton::FoamPreconditioner<Host> preconditioner_{host_};
-  newton::MinimalResidual<Host> solver_{host_};
+  MinimalResidual<Host> solver_{host_};
 };
 
 /// Areas that grow as they would by von Neumann's law, and stay the same all in all.
 std::vector<double> diffusion(const Foam& foam) {
   std::vector<double> right(foam.pressure.size() + 2 * foam.position.size());
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    right[2 * foam.position.size() + Foam::size(b)] = foam.sides[Foam::size(b)] - 6;
+  for (const Bubble b : foam.bubble_slots()) {
+    right[2 * foam.position.size() + b.place()] = foam.sides[b] - 6;
   }
   return right;
 }
 
 double factorise_and_solve(const Foam& foam) {
-  LagrangianSystem system;
-  system.set_up(foam, whole_foam(foam));
-  system.evaluate(foam);
-  return processor_seconds([&] {
-    system.factorise(foam, foam.bubble_capacity());
-    system.newton_step(foam);
-  });
+  newton::FactorisingSolver solver;
+  solver.set_up(foam, whole_foam(foam));
+  const Domain domain = domain_of(solver.region());
+  Host host;
+  newton::Evaluation<Host> state;
+  state.evaluate(host, view_of(foam), domain);
+  return processor_seconds([&] { solver.find(foam, domain, state, newton::Residual{}); });
 }
 
 void measure(Index side) {
   Foam foam = honeycomb({.columns = side, .rows = side, .displacement = 0.15, .swaps = 0.2});
   Host host;
-  newton::ParallelNewton<Host> equilibrator(host, {});
+  newton::MachineNewton<Host> equilibrator(host, {});
   const newton::NewtonResult found =
       equilibrator.equilibrate(view_of(foam), 0.1 * foam.mean_spacing(), {});
   std::cout << "| " << side * side << " | " << found.report.iterations << " | "

@@ -16,11 +16,12 @@ namespace {
 
 /// Rounds of bidding until nothing gives way.
 int rounds(Host& host, Foam& foam, const ThesisRules& rules) {
-  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
   Bidding<Host> bidding(host);
   int rounds = 0;
   for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-    performed = bidding.round(view_of(foam), CollapseBids{rules, swappable.data()});
+    performed = bidding.round(view_of(foam),
+                              CollapseBids{rules, FieldView<Film, std::uint8_t>(swappable.data())});
     count(foam, performed);
   }
   return rounds;
@@ -32,7 +33,7 @@ void measure(Index columns) {
   thesis::UpdateOrder<Host> order(host);
   std::cout << "| " << columns * columns;
   for (const int reach : {1, 2}) {
-    order.find(view_of(foam), reach);
+    order.find(const_view(view_of(foam)), reach);
     std::cout << " | " << order.waves();
   }
   const int needed = rounds(host, foam, {.limit = {.t1_length = 0.35, .t2_area = 0.05}});

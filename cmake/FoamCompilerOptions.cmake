@@ -17,7 +17,7 @@ function(foam_compiler_options target)
     "$<${cxx}:${warnings};-ffp-contract=off>"
     "$<$<AND:${cxx},$<CXX_COMPILER_ID:GNU>>:-Wno-restrict>"
     "$<$<AND:${cxx},$<BOOL:${FOAM_WARNINGS_AS_ERRORS}>>:-Werror>"
-    "$<${cuda}:--expt-relaxed-constexpr;--fmad=false;-Xcompiler=${cuda_warnings},-ffp-contract=off>"
+    "$<${cuda}:--expt-relaxed-constexpr;--extended-lambda;--fmad=false;-Xcompiler=${cuda_warnings},-ffp-contract=off>"
     "$<$<AND:${cuda},$<BOOL:${FOAM_WARNINGS_AS_ERRORS}>>:-Werror=all-warnings>")
   if(FOAM_SANITIZE)
     target_compile_options(${target} PRIVATE

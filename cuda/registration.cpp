@@ -5,10 +5,7 @@
 
 #include <cuda_runtime_api.h>
 
-#include "coarsening/cuda_newton_frame_coarsening.h"
-#include "equilibrium/cuda_newton_equilibrator.h"
-#include "thesis/cuda_frame_coarsening.h"
-#include "thesis/cuda_junction_equilibrator.h"
+#include "engines/instances.h"
 
 namespace foam::cuda {
 namespace {
@@ -25,17 +22,6 @@ std::string unavailable() {
     return nothing + cudaGetErrorString(status);
   }
   return devices > 0 ? "" : nothing + "there are 0";
-}
-
-std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
-  return options.kind == EquilibratorKind::Newton ? make_newton_equilibrator(options)
-                                                  : make_junction_equilibrator(options);
-}
-
-std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
-  return options.equilibrator.kind == EquilibratorKind::Newton
-             ? make_newton_frame_coarsening(options)
-             : make_frame_coarsening(options);
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -24,7 +24,7 @@ void add_column(vtkFieldData* data, const char* name, const Elements& elements, 
   data->AddArray(column);
 }
 
-/// Adds what is known of each bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm), Sides,
+/// Adds what is known of each bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm²), Sides,
 /// Perimeter (cm), OnBoundary.
 void add_bubble_columns(vtkFieldData* data, const std::vector<BubbleStatistics>& bubbles);
 

@@ -2,6 +2,7 @@
 #include "FilmReading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -81,27 +82,48 @@ std::int64_t single_integer(vtkFieldData* data, const char* name, double least, 
   return Column(data, name, 1, "foam").integer(0, least, largest);
 }
 
+std::array<double, 4> four_numbers(vtkFieldData* data, const char* name) {
+  vtkDataArray* array = Column::find(data, name);
+  if (array->GetNumberOfValues() != 4) {
+    not_a_foam("array ", name, " has ", array->GetNumberOfValues(), " values, not 4");
+  }
+  std::array<double, 4> numbers{};
+  for (int i = 0; i < 4; ++i) {
+    const int components = array->GetNumberOfComponents();
+    const double value = array->GetComponent(i / components, i % components);
+    if (!std::isfinite(value)) {
+      not_a_foam(name, " hold ", value);
+    }
+    numbers[static_cast<std::size_t>(i)] = value;
+  }
+  return numbers;
+}
+
+/// Only that of a torus has to have an area.
+Lattice read_lattice(vtkFieldData* data, bool periodic) {
+  const char* name = "PeriodicBounds";
+  auto numbers = four_numbers(data, name);
+  Lattice lattice = Lattice::rectangle(numbers[0], numbers[1], numbers[2], numbers[3]);
+  bool any_area = lattice.first.x > 0 && lattice.second.y > 0;
+  if (data->HasArray("PeriodVectors")) {
+    name = "PeriodVectors";
+    numbers = four_numbers(data, name);
+    lattice.first = {numbers[0], numbers[1]};
+    lattice.second = {numbers[2], numbers[3]};
+    any_area = lattice.area() > 0;
+  }
+  if (periodic && !any_area) {
+    not_a_foam(name, " enclose no area: ", numbers[0], " ", numbers[1], " ", numbers[2], " ",
+               numbers[3]);
+  }
+  return lattice;
+}
+
 void read_state(vtkFieldData* data, FilmSet& set) {
   set.time = single(data, "TimeValue");
   set.surface_tension = single(data, "SurfaceTension");
-  set.boundary = static_cast<Boundary>(single_integer(data, "Boundary", 0, 2));
-  vtkDataArray* bounds = Column::find(data, "PeriodicBounds");
-  if (bounds->GetNumberOfValues() != 4) {
-    not_a_foam("array PeriodicBounds has ", bounds->GetNumberOfValues(), " values, not 4");
-  }
-  const auto bound = [&](int i) {
-    const int components = bounds->GetNumberOfComponents();
-    const double value = bounds->GetComponent(i / components, i % components);
-    if (!std::isfinite(value)) {
-      not_a_foam("PeriodicBounds hold ", value);
-    }
-    return value;
-  };
-  set.box = {bound(0), bound(1), bound(2), bound(3)};
-  if (set.boundary == Boundary::Periodic && !(set.box.width() > 0 && set.box.height() > 0)) {
-    not_a_foam("PeriodicBounds enclose no area: ", set.box.xmin, " ", set.box.xmax, " ",
-               set.box.ymin, " ", set.box.ymax);
-  }
+  set.surroundings.boundary = static_cast<Boundary>(single_integer(data, "Boundary", 0, 2));
+  set.surroundings.lattice = read_lattice(data, set.surroundings.periodic());
   set.t1_count = single_integer(data, "T1Count", 0, kLargestInteger);
   set.t2_count = single_integer(data, "T2Count", 0, kLargestInteger);
   set.t3_count = single_integer(data, "T3Count", 0, kLargestInteger);
@@ -134,13 +156,13 @@ Vec2 point(vtkPolyData* films, vtkIdType i) {
 
 void read_junctions(vtkPolyData* films, const std::vector<Index>& junction_of, FilmSet& set) {
   const Index last = *std::max_element(junction_of.begin(), junction_of.end());
-  set.junctions.resize(Foam::size(last + 1));
+  set.junctions.resize(place_of(last + 1));
   std::vector<bool> found(set.junctions.size(), false);
   for (std::size_t i = 0; i < junction_of.size(); ++i) {
     const Index j = junction_of[i];
-    if (j >= 0 && !found[Foam::size(j)]) {
-      found[Foam::size(j)] = true;
-      set.junctions[Foam::size(j)] = point(films, static_cast<vtkIdType>(i));
+    if (j >= 0 && !found[place_of(j)]) {
+      found[place_of(j)] = true;
+      set.junctions[place_of(j)] = point(films, static_cast<vtkIdType>(i));
     }
   }
   const auto missing = std::find(found.begin(), found.end(), false);
@@ -163,19 +185,19 @@ std::vector<Index> read_junction_ids(vtkPolyData* films) {
 
 /// How many periods lie between a junction and one of its images.
 Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film) {
-  const Vec2 offset = image - set.junctions[Foam::size(junction)];
-  const bool periodic = set.boundary == Boundary::Periodic;
-  const auto count = [&](double distance, double period) {
-    const double n = periodic ? distance / period : distance == 0 ? 0 : kLargestInteger;
-    const double whole = std::round(n);
-    if (!(std::abs(n - whole) < kImageTolerance && std::abs(whole) < 1e6)) {
-      not_a_foam("film ", film, " ends in (", image.x, ", ", image.y, "), but junction ", junction,
-                 " lies in (", image.x - offset.x, ", ", image.y - offset.y, ")",
-                 periodic ? ", not whole periods away" : "");
-    }
-    return static_cast<Index>(whole);
+  const Vec2 place = set.junctions[place_of(junction)];
+  const auto& [origin, first, second] = set.surroundings.lattice;
+  const bool periodic = set.surroundings.periodic();
+  const Vec2 count = periodic ? Lattice{{}, first, second}.coordinates(image - place) : Vec2{};
+  const auto whole = [](double n) {
+    return std::abs(n - std::round(n)) < kImageTolerance && std::abs(n) < 1e6;
   };
-  return {count(offset.x, set.box.width()), count(offset.y, set.box.height())};
+  if (!(periodic ? whole(count.x) && whole(count.y) : image == place)) {
+    not_a_foam("film ", film, " ends in (", image.x, ", ", image.y, "), but junction ", junction,
+               " lies in (", place.x, ", ", place.y, ")",
+               periodic ? ", not whole periods away" : "");
+  }
+  return {static_cast<Index>(std::round(count.x)), static_cast<Index>(std::round(count.y))};
 }
 
 void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, FilmSet& set) {
@@ -208,11 +230,37 @@ void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, F
     const vtkIdType last = ids[size - 1];
     film.start = junction_of[static_cast<std::size_t>(first)];
     film.end = junction_of[static_cast<std::size_t>(last)];
-    film.left = left.integer(i, -1);
-    film.right = right.integer(i, -1);
+    film.left = left.integer(i, -kLargestInteger);
+    film.right = right.integer(i, -kLargestInteger);
     film.half_angle = half_angle.real(i);
     film.wrap = periods(set, point(films, last), film.end, i) -
                 periods(set, point(films, first), film.start, i);
+  }
+}
+
+void read_tensions(vtkFieldData* data, FilmSet& set) {
+  if (!data->HasArray("FilmTension")) {
+    return;
+  }
+  const auto count = static_cast<vtkIdType>(set.films.size());
+  const Column tension(data, "FilmTension", count, "film");
+  for (vtkIdType i = 0; i < count; ++i) {
+    set.tensions.push_back(tension.real(i));
+  }
+}
+
+void read_outsides(vtkFieldData* data, FilmSet& set) {
+  if (!data->HasArray("OutsidePressure")) {
+    return;
+  }
+  std::int64_t last = 0;
+  for (const auto& film : set.films) {
+    last = std::min({last, film.left, film.right});
+  }
+  const Column pressure(data, "OutsidePressure", -last, "outside");
+  const auto kind = set.surroundings.has_walls() ? Exterior::Kind::Solid : Exterior::Kind::Gas;
+  for (vtkIdType i = 0; i < -last; ++i) {
+    set.exteriors.push_back({kind, pressure.real(i)});
   }
 }
 
@@ -224,8 +272,8 @@ FilmSet read_films(vtkPolyData* films) {
   }
   vtkFieldData* data = films->GetFieldData();
   const auto version = single_integer(data, "FormatVersion", -kLargestInteger, kLargestInteger);
-  if (version != kFormatVersion) {
-    not_a_foam("its FormatVersion is ", version, ", and only ", kFormatVersion, " is known");
+  if (version < 1 || version > kFormatVersion) {
+    not_a_foam("its FormatVersion is ", version, ", and only 1 to ", kFormatVersion, " are known");
   }
   if (films->GetNumberOfCells() != films->GetNumberOfLines()) {
     not_a_foam(films->GetNumberOfCells() - films->GetNumberOfLines(),
@@ -239,15 +287,17 @@ FilmSet read_films(vtkPolyData* films) {
   const auto junction_of = read_junction_ids(films);
   read_junctions(films, junction_of, set);
   read_polylines(films, junction_of, set);
+  read_tensions(films->GetCellData(), set);
+  read_outsides(data, set);
   return set;
 }
 
 Foam checked_foam(const FilmSet& films) {
   Foam foam = foam_of(films);
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     const double area = foam.area(b);
     if (!(area > 0)) {
-      not_a_foam("the area of bubble ", foam.bubble_id[Foam::size(b)], " is ", area);
+      not_a_foam("the area of bubble ", foam.bubble_id[b], " is ", area);
     }
   }
   return foam;
@@ -256,7 +306,7 @@ Foam checked_foam(const FilmSet& films) {
 Foam read_foam(vtkPolyData* films) {
   Foam foam = foam_of(read_films(films));
   double total = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     total += foam.has_bubble(b) ? foam.area(b) : 0;
   }
   if (!(total > 0)) {

@@ -13,7 +13,7 @@ namespace {
 
 std::size_t bytes(const FilmSet& films) {
   return films.junctions.size() * sizeof(Vec2) + films.films.size() * sizeof(FilmSet::Film) +
-         films.bubbles.size() * sizeof(FilmSet::Bubble);
+         films.tensions.size() * sizeof(double) + films.bubbles.size() * sizeof(FilmSet::Bubble);
 }
 
 } // namespace

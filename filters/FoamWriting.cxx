@@ -2,6 +2,7 @@
 #include "FoamWriting.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <vector>
 
@@ -58,6 +59,34 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::int64_t>& offsets,
   return cells;
 }
 
+void add_numbers(vtkFieldData* data, const char* name, const std::array<double, 4>& values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(4);
+  array->InsertNextTuple(values.data());
+  data->AddArray(array);
+}
+
+/// The cell of a torus: the bounds of a rectangle. Of one that they do not say to the last digit,
+/// or of no rectangle, also the periods.
+void write_lattice(const Surroundings& surroundings, vtkFieldData* data) {
+  const auto& [origin, first, second] = surroundings.lattice;
+  const double xmax = origin.x + first.x;
+  const double ymax = origin.y + second.y;
+  add_numbers(data, "PeriodicBounds", {origin.x, xmax, origin.y, ymax});
+  if (surroundings.periodic() &&
+      surroundings.lattice != Lattice::rectangle(origin.x, xmax, origin.y, ymax)) {
+    add_numbers(data, "PeriodVectors", {first.x, first.y, second.x, second.y});
+  }
+}
+
+void write_outsides(const std::vector<Exterior>& exteriors, vtkFieldData* data) {
+  if (std::ranges::any_of(exteriors, [](const Exterior& e) { return e.pressure != 0; })) {
+    add_column<vtkDoubleArray>(data, "OutsidePressure", exteriors,
+                               [](const Exterior& e) { return e.pressure; });
+  }
+}
+
 void write_state(const SampledFoam& foam, vtkFieldData* data) {
   const std::vector<BubbleStatistics>& bubbles = foam.bubbles.each;
   using Bubble = BubbleStatistics;
@@ -69,12 +98,9 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   const FoamRecord& record = foam.record;
   add_value<vtkDoubleArray>(data, "TimeValue", record.time);
   add_value<vtkDoubleArray>(data, "SurfaceTension", record.surface_tension);
-  add_value<vtkIntArray>(data, "Boundary", record.boundary);
-  vtkNew<vtkDoubleArray> bounds;
-  bounds->SetName("PeriodicBounds");
-  bounds->SetNumberOfComponents(4);
-  bounds->InsertNextTuple4(record.box.xmin, record.box.xmax, record.box.ymin, record.box.ymax);
-  data->AddArray(bounds);
+  add_value<vtkIntArray>(data, "Boundary", record.surroundings.boundary);
+  write_lattice(record.surroundings, data);
+  write_outsides(foam.exteriors, data);
   add_value<vtkDoubleArray>(data, "Energy", foam.energy);
   add_value<vtkDoubleArray>(data, "MaxAngleError", record.report.max_angle_error);
   add_value<vtkDoubleArray>(data, "MaxAreaError", record.report.max_area_error);
@@ -103,6 +129,9 @@ void write_films(const SampledFoam& foam, vtkPolyData* films) {
   add_array<vtkDoubleArray>(cells, "Length", lines.length);
   add_array<vtkDoubleArray>(cells, "HalfAngle", lines.half_angle);
   add_array<vtkIntArray>(cells, "OnBoundary", lines.on_boundary);
+  if (!lines.tension.empty()) {
+    add_array<vtkDoubleArray>(cells, "FilmTension", lines.tension);
+  }
   write_state(foam, films->GetFieldData());
 }
 

@@ -9,8 +9,8 @@ class vtkPolyData;
 
 namespace foam::filters {
 
-/// Version of the films' arrays.
-inline constexpr int kFormatVersion = 1;
+/// Version of the films' arrays. Version 1 has no FilmTension, PeriodVectors or OutsidePressure.
+inline constexpr int kFormatVersion = 2;
 
 /// Writes a foam's films: FilmPolylines, and the foam's state.
 void write_films(const SampledFoam& foam, vtkPolyData* films);

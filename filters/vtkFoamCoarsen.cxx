@@ -64,7 +64,27 @@ struct vtkFoamCoarsen::Simulation {
   bool EndTold = false;
 };
 
-vtkFoamCoarsen::vtkFoamCoarsen() = default;
+struct vtkFoamCoarsen::Settings : foam::filters::FoamTimeline::Settings {};
+
+using ThisClass = vtkFoamCoarsen;
+
+// clang-format off
+#define FOAM_OPTIONS(option, choice) \
+  option(TimeStep, double, this->Options->coarsening.time_step) \
+  option(Permeability, double, this->Options->coarsening.permeability) \
+  choice(Thresholds, this->Options->coarsening.thresholds.relative) \
+  option(T1Length, double, this->Options->coarsening.thresholds.t1_length) \
+  option(T2Area, double, this->Options->coarsening.thresholds.t2_area) \
+  option(Alpha, double, this->Options->coarsening.thresholds.alpha) \
+  choice(TwoSidedBubbles, this->Options->coarsening.two_sided_bubbles) \
+  choice(Stepping, this->Options->coarsening.stepping) \
+  choice(TopologicalAlgorithm, this->Options->coarsening.topological_algorithm) \
+  option(KeyframeInterval, int, this->Options->keyframe_interval)
+// clang-format on
+
+FOAM_OPTIONS(foamDefineOption, foamDefineChoice)
+
+vtkFoamCoarsen::vtkFoamCoarsen() : Options(std::make_unique<Settings>()) {}
 vtkFoamCoarsen::~vtkFoamCoarsen() = default;
 
 int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -78,9 +98,9 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   upstream->Update(upstreamPort);
   const double start = foam::filters::read_time(vtkPolyData::GetData(inputs[0]));
 
-  const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, this->TimeStep);
-  const auto times =
-      foam::filters::frame_times(start, this->TimeStep, valid ? this->NumberOfFrames : 0);
+  const double timeStep = this->GetTimeStep();
+  const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
+  const auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
   double range[2] = {times.front(), times.back()};
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
     vtkInformation* output = outputs->GetInformationObject(port);
@@ -100,11 +120,12 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
                               vtkInformationVector* outputs) {
   try {
     this->PrepareSimulation(inputs);
+    const double timeStep = this->GetTimeStep();
     auto& timeline = this->Run->Timeline;
     const auto times =
-        foam::filters::frame_times(timeline.start_time(), this->TimeStep, this->NumberOfFrames);
+        foam::filters::frame_times(timeline.start_time(), timeStep, this->NumberOfFrames);
     this->AdvanceTo(
-        RequestedFrame(times, this->TimeStep, foam::filters::requested_output(request, outputs)));
+        RequestedFrame(times, timeStep, foam::filters::requested_output(request, outputs)));
     this->WriteOutputs(timeline.sample(this->GetChordError()), outputs);
     for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
       vtkPolyData::GetData(outputs, i)
@@ -118,20 +139,8 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
 }
 
 void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
-  foam::filters::FoamTimeline::Settings settings;
-  auto& coarsening = settings.coarsening;
-  coarsening.time_step = this->TimeStep;
-  coarsening.permeability = this->Permeability;
-  coarsening.thresholds.relative = this->Thresholds == Relative;
-  coarsening.thresholds.t1_length = this->T1Length;
-  coarsening.thresholds.t2_area = this->T2Area;
-  coarsening.thresholds.alpha = this->Alpha;
-  coarsening.two_sided_bubbles = static_cast<foam::TwoSidedBubbles>(this->TwoSidedBubbles);
-  coarsening.stepping = static_cast<foam::Stepping>(this->Stepping);
-  coarsening.topological_algorithm =
-      static_cast<foam::TopologicalAlgorithm>(this->TopologicalAlgorithm);
-  coarsening.equilibrator = this->GetEquilibratorOptions();
-  settings.keyframe_interval = this->KeyframeInterval;
+  foam::filters::FoamTimeline::Settings settings = *this->Options;
+  settings.coarsening.equilibrator = this->GetEquilibratorOptions();
   if (this->NumberOfFrames < 0) {
     foam::filters::fail("NumberOfFrames must be at least 0, but is ", this->NumberOfFrames);
   }
@@ -144,9 +153,10 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
       this->Run && this->Run->InputTime == input->GetMTime() && this->Run->Timeline.is_of(settings);
   if (!same) {
     auto films = foam::filters::read_films(input);
-    if (this->TimeStep > 0 && !TimeCanPass(films.time, this->TimeStep)) {
-      foam::filters::fail("TimeStep ", this->TimeStep, " s leads to no later time than ",
-                          films.time, " s");
+    const double timeStep = settings.coarsening.time_step;
+    if (timeStep > 0 && !TimeCanPass(films.time, timeStep)) {
+      foam::filters::fail("TimeStep ", timeStep, " s leads to no later time than ", films.time,
+                          " s");
     }
     if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
       this->Run.reset();
@@ -199,16 +209,7 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
 
 void vtkFoamCoarsen::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "TimeStep: " << this->TimeStep << "\n"
-     << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n"
-     << indent << "Permeability: " << this->Permeability << "\n"
-     << indent << "Thresholds: " << this->Thresholds << "\n"
-     << indent << "T1Length: " << this->T1Length << "\n"
-     << indent << "T2Area: " << this->T2Area << "\n"
-     << indent << "Alpha: " << this->Alpha << "\n"
-     << indent << "TwoSidedBubbles: " << this->TwoSidedBubbles << "\n"
-     << indent << "Stepping: " << this->Stepping << "\n"
-     << indent << "TopologicalAlgorithm: " << this->TopologicalAlgorithm << "\n"
-     << indent << "KeyframeInterval: " << this->KeyframeInterval << "\n"
+  FOAM_OPTIONS(foamPrintOption, foamPrintOption)
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n"
      << indent << "KeyframeMemory: " << this->KeyframeMemory << "\n";
 }

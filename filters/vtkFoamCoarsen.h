@@ -26,7 +26,7 @@
 #ifndef vtkFoamCoarsen_h
 #define vtkFoamCoarsen_h
 
-#include <memory> // for the simulation
+#include <memory> // for the options and the simulation
 
 #include "vtkFoamEquilibratingAlgorithm.h"
 
@@ -45,8 +45,7 @@ public:
   /**
    * Time between two frames, Δt, s, > 0. Default 1/30.
    */
-  vtkSetMacro(TimeStep, double);
-  vtkGetMacro(TimeStep, double);
+  foamOptionMacro(TimeStep, double);
   ///@}
 
   ///@{
@@ -62,8 +61,7 @@ public:
    * Permeability κ of the films, the gas that passes per length (cm), pressure (N/cm²) and time
    * (s), ≥ 0. Von Neumann's law: an n-sided bubble grows at (2π/3)γκ(n − 6) cm²/s. Default 1.
    */
-  vtkSetMacro(Permeability, double);
-  vtkGetMacro(Permeability, double);
+  foamOptionMacro(Permeability, double);
   ///@}
 
   ///@{
@@ -71,32 +69,28 @@ public:
    * Whether the thresholds are the two absolute values (default), or follow from Alpha and the
    * foam's own length, which grows as it coarsens (Weygand's).
    */
-  vtkSetClampMacro(Thresholds, int, Absolute, Relative);
-  vtkGetMacro(Thresholds, int);
+  foamChoiceMacro(Thresholds, Absolute, Relative);
   ///@}
 
   ///@{
   /**
    * Length of a film below which it may swap (T1), cm, ≥ 0. Default 0.025.
    */
-  vtkSetMacro(T1Length, double);
-  vtkGetMacro(T1Length, double);
+  foamOptionMacro(T1Length, double);
   ///@}
 
   ///@{
   /**
    * Area of a bubble below which it may vanish (T2, T3), cm², ≥ 0. Default 0.05.
    */
-  vtkSetMacro(T2Area, double);
-  vtkGetMacro(T2Area, double);
+  foamOptionMacro(T2Area, double);
   ///@}
 
   ///@{
   /**
    * Relative thresholds: Weygand's α, > 0. Default 0.05.
    */
-  vtkSetMacro(Alpha, double);
-  vtkGetMacro(Alpha, double);
+  foamOptionMacro(Alpha, double);
   ///@}
 
   ///@{
@@ -104,8 +98,7 @@ public:
    * What happens to two-sided bubbles: Remove (default), they stay on their film until they vanish
    * (T3); Slide, they slide along it to the nearest corner and become three-sided.
    */
-  vtkSetClampMacro(TwoSidedBubbles, int, Remove, Slide);
-  vtkGetMacro(TwoSidedBubbles, int);
+  foamChoiceMacro(TwoSidedBubbles, Remove, Slide);
   ///@}
 
   ///@{
@@ -114,8 +107,7 @@ public:
    * next, on the CPU alone; FixedSteps, in a frame or equal parts of one with all events of a step
    * at once, on a GPU as well.
    */
-  vtkSetClampMacro(Stepping, int, Events, FixedSteps);
-  vtkGetMacro(Stepping, int);
+  foamChoiceMacro(Stepping, Events, FixedSteps);
   ///@}
 
   ///@{
@@ -127,8 +119,7 @@ public:
    * Simultaneous carries out many operations at once, where they do not meet; a GPU computes this
    * one alone.
    */
-  vtkSetClampMacro(TopologicalAlgorithm, int, Final, Simultaneous);
-  vtkGetMacro(TopologicalAlgorithm, int);
+  foamChoiceMacro(TopologicalAlgorithm, Final, Simultaneous);
   ///@}
 
   ///@{
@@ -136,8 +127,7 @@ public:
    * A keyframe every so many frames, ≥ 1: there the solver keeps nothing from before, and a run can
    * be resumed with the same bits. Default 10.
    */
-  vtkSetMacro(KeyframeInterval, int);
-  vtkGetMacro(KeyframeInterval, int);
+  foamOptionMacro(KeyframeInterval, int);
   ///@}
 
   ///@{
@@ -164,24 +154,16 @@ private:
   vtkFoamCoarsen(const vtkFoamCoarsen&) = delete;
   void operator=(const vtkFoamCoarsen&) = delete;
 
+  struct Settings;
   struct Simulation;
 
   void PrepareSimulation(vtkInformationVector** inputs);
   void AdvanceTo(int frame);
   void WarnIfNotConverged();
 
-  double TimeStep = 1.0 / 30;
   int NumberOfFrames = 300;
-  double Permeability = 1;
-  int Thresholds = Absolute;
-  double T1Length = 0.025;
-  double T2Area = 0.05;
-  double Alpha = 0.05;
-  int TwoSidedBubbles = Remove;
-  int Stepping = Events;
-  int TopologicalAlgorithm = Final;
-  int KeyframeInterval = 10;
   int KeyframeMemory = 256;
+  std::unique_ptr<Settings> Options;
   std::unique_ptr<Simulation> Run;
 };
 

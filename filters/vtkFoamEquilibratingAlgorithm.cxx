@@ -20,9 +20,36 @@ constexpr double POLL_INTERVAL = 0.1;
 
 } // namespace
 
-vtkFoamEquilibratingAlgorithm::vtkFoamEquilibratingAlgorithm() {
+using ThisClass = vtkFoamEquilibratingAlgorithm;
+
+// clang-format off
+#define FOAM_OPTIONS(option, choice) \
+  choice(Equilibrator, this->Options->kind) \
+  choice(Device, this->Options->device) \
+  option(Tolerance, double, this->Options->tolerance) \
+  option(MaximumIterations, int, this->Options->maximum_iterations) \
+  choice(LinearSolver, this->Options->linear_solver) \
+  choice(Sweep, this->Options->junction.sweep) \
+  choice(RootSearch, this->Options->junction.root_search) \
+  choice(EnergyTarget, this->Options->junction.energy_target) \
+  option(EnergyDecay, bool, this->Options->junction.energy_decay) \
+  option(OrientationInvariant, bool, this->Options->junction.orientation_invariant) \
+  option(Damping, double, this->Options->junction.damping) \
+  option(FiniteDifferenceStep, double, this->Options->junction.finite_difference_step) \
+  option(JacobianTolerance, double, this->Options->junction.jacobian_tolerance) \
+  option(PressureTolerance, double, this->Options->junction.pressure_tolerance) \
+  option(PositionTolerance, double, this->Options->junction.position_tolerance) \
+  option(MinimumScale, double, this->Options->junction.minimum_scale)
+// clang-format on
+
+FOAM_OPTIONS(foamDefineOption, foamDefineChoice)
+
+vtkFoamEquilibratingAlgorithm::vtkFoamEquilibratingAlgorithm()
+    : Options(std::make_unique<foam::EquilibratorOptions>()) {
   this->SetNumberOfOutputPorts(2);
 }
+
+vtkFoamEquilibratingAlgorithm::~vtkFoamEquilibratingAlgorithm() = default;
 
 int vtkFoamEquilibratingAlgorithm::RequestData(vtkInformation* request,
                                                vtkInformationVector** inputs,
@@ -40,27 +67,6 @@ int vtkFoamEquilibratingAlgorithm::RequestData(vtkInformation* request,
     vtkErrorMacro(<< error.what());
   }
   return 1;
-}
-
-foam::EquilibratorOptions vtkFoamEquilibratingAlgorithm::GetEquilibratorOptions() const {
-  foam::EquilibratorOptions options;
-  options.kind = static_cast<foam::EquilibratorKind>(this->Equilibrator);
-  options.device = static_cast<foam::Device>(this->Device);
-  options.tolerance = this->Tolerance;
-  options.maximum_iterations = this->MaximumIterations;
-  options.linear_solver = static_cast<foam::LinearSolver>(this->LinearSolver);
-  options.junction.sweep = static_cast<foam::Sweep>(this->Sweep);
-  options.junction.root_search = static_cast<foam::RootSearch>(this->RootSearch);
-  options.junction.energy_target = static_cast<foam::EnergyTarget>(this->EnergyTarget);
-  options.junction.energy_decay = this->EnergyDecay;
-  options.junction.orientation_invariant = this->OrientationInvariant;
-  options.junction.damping = this->Damping;
-  options.junction.finite_difference_step = this->FiniteDifferenceStep;
-  options.junction.jacobian_tolerance = this->JacobianTolerance;
-  options.junction.pressure_tolerance = this->PressureTolerance;
-  options.junction.position_tolerance = this->PositionTolerance;
-  options.junction.minimum_scale = this->MinimumScale;
-  return options;
 }
 
 void vtkFoamEquilibratingAlgorithm::CheckOutputProperties() const {
@@ -92,21 +98,6 @@ bool vtkFoamEquilibratingAlgorithm::PollAbort(double progress) {
 
 void vtkFoamEquilibratingAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ChordError: " << this->ChordError << "\n"
-     << indent << "Equilibrator: " << this->Equilibrator << "\n"
-     << indent << "Device: " << this->Device << "\n"
-     << indent << "Tolerance: " << this->Tolerance << "\n"
-     << indent << "MaximumIterations: " << this->MaximumIterations << "\n"
-     << indent << "LinearSolver: " << this->LinearSolver << "\n"
-     << indent << "Sweep: " << this->Sweep << "\n"
-     << indent << "RootSearch: " << this->RootSearch << "\n"
-     << indent << "EnergyTarget: " << this->EnergyTarget << "\n"
-     << indent << "EnergyDecay: " << this->EnergyDecay << "\n"
-     << indent << "OrientationInvariant: " << this->OrientationInvariant << "\n"
-     << indent << "Damping: " << this->Damping << "\n"
-     << indent << "FiniteDifferenceStep: " << this->FiniteDifferenceStep << "\n"
-     << indent << "JacobianTolerance: " << this->JacobianTolerance << "\n"
-     << indent << "PressureTolerance: " << this->PressureTolerance << "\n"
-     << indent << "PositionTolerance: " << this->PositionTolerance << "\n"
-     << indent << "MinimumScale: " << this->MinimumScale << "\n";
+  os << indent << "ChordError: " << this->ChordError << "\n";
+  FOAM_OPTIONS(foamPrintOption, foamPrintOption)
 }

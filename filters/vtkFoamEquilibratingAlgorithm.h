@@ -14,6 +14,9 @@
 #ifndef vtkFoamEquilibratingAlgorithm_h
 #define vtkFoamEquilibratingAlgorithm_h
 
+#include <memory> // for the options
+
+#include "OptionMacros.h"
 #include "vtkFoamFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
@@ -50,32 +53,28 @@ public:
    * How equilibrium is found: Newton (default) solves for all junctions, arcs and pressures at
    * once, to machine precision; Junction is the thesis's own method, junction by junction.
    */
-  vtkSetClampMacro(Equilibrator, int, Newton, Junction);
-  vtkGetMacro(Equilibrator, int);
+  foamChoiceMacro(Equilibrator, Newton, Junction);
   ///@}
 
   ///@{
   /**
    * Where it is computed: Auto (default), CPU or CUDA.
    */
-  vtkSetClampMacro(Device, int, Auto, CUDA);
-  vtkGetMacro(Device, int);
+  foamChoiceMacro(Device, Auto, CUDA);
   ///@}
 
   ///@{
   /**
    * Newton: largest dimensionless residual of an equilibrium, > 0. Default 1e-9.
    */
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
+  foamOptionMacro(Tolerance, double);
   ///@}
 
   ///@{
   /**
    * Iterations after which a foam is given up as not converged, > 0. Default 256.
    */
-  vtkSetMacro(MaximumIterations, int);
-  vtkGetMacro(MaximumIterations, int);
+  foamOptionMacro(MaximumIterations, int);
   ///@}
 
   ///@{
@@ -83,8 +82,7 @@ public:
    * Newton with Device CUDA: how its systems of equations are solved, by MINRES (Iterative,
    * default) or by a sparse factorisation (Direct, in a build with cuDSS).
    */
-  vtkSetClampMacro(LinearSolver, int, Iterative, Direct);
-  vtkGetMacro(LinearSolver, int);
+  foamChoiceMacro(LinearSolver, Iterative, Direct);
   ///@}
 
   ///@{
@@ -92,8 +90,7 @@ public:
    * Junction: whether all junctions move at once (Jacobi, default) or one after the other
    * (GaussSeidel).
    */
-  vtkSetClampMacro(Sweep, int, Jacobi, GaussSeidel);
-  vtkGetMacro(Sweep, int);
+  foamChoiceMacro(Sweep, Jacobi, GaussSeidel);
   ///@}
 
   ///@{
@@ -101,8 +98,7 @@ public:
    * Junction: what a junction seeks besides the areas of its bubbles: 120° between its films
    * (Angles, default) or target energies for them (Energies, proposed in the thesis's 7.1.1).
    */
-  vtkSetClampMacro(RootSearch, int, Angles, Energies);
-  vtkGetMacro(RootSearch, int);
+  foamChoiceMacro(RootSearch, Angles, Energies);
   ///@}
 
   ///@{
@@ -110,16 +106,14 @@ public:
    * Junction with Energies: target energies of the films, Zero (default) or those of straight films
    * from the point where their sum is least (Straight).
    */
-  vtkSetClampMacro(EnergyTarget, int, Zero, Straight);
-  vtkGetMacro(EnergyTarget, int);
+  foamChoiceMacro(EnergyTarget, Zero, Straight);
   ///@}
 
   ///@{
   /**
    * Junction: the Energy Decay Constraint (thesis 3.5.2). Default on.
    */
-  vtkSetMacro(EnergyDecay, bool);
-  vtkGetMacro(EnergyDecay, bool);
+  foamOptionMacro(EnergyDecay, bool);
   vtkBooleanMacro(EnergyDecay, bool);
   ///@}
 
@@ -127,8 +121,7 @@ public:
   /**
    * Junction: the Orientation Invariant Constraint (thesis 3.5.1). Default off.
    */
-  vtkSetMacro(OrientationInvariant, bool);
-  vtkGetMacro(OrientationInvariant, bool);
+  foamOptionMacro(OrientationInvariant, bool);
   vtkBooleanMacro(OrientationInvariant, bool);
   ///@}
 
@@ -136,53 +129,47 @@ public:
   /**
    * Junction: damping τ of a step. Default 0.1.
    */
-  vtkSetMacro(Damping, double);
-  vtkGetMacro(Damping, double);
+  foamOptionMacro(Damping, double);
   ///@}
 
   ///@{
   /**
    * Junction: step h of the finite differences, relative. Default 0.01.
    */
-  vtkSetMacro(FiniteDifferenceStep, double);
-  vtkGetMacro(FiniteDifferenceStep, double);
+  foamOptionMacro(FiniteDifferenceStep, double);
   ///@}
 
   ///@{
   /**
    * Junction: δ_error, below which a junction's Jacobian counts as good. Default 1.
    */
-  vtkSetMacro(JacobianTolerance, double);
-  vtkGetMacro(JacobianTolerance, double);
+  foamOptionMacro(JacobianTolerance, double);
   ///@}
 
   ///@{
   /**
    * Junction: change of pressure below which a bubble is at rest, N/cm². Default 0.001.
    */
-  vtkSetMacro(PressureTolerance, double);
-  vtkGetMacro(PressureTolerance, double);
+  foamOptionMacro(PressureTolerance, double);
   ///@}
 
   ///@{
   /**
    * Junction: move below which a junction is at rest, cm. Default 0.001.
    */
-  vtkSetMacro(PositionTolerance, double);
-  vtkGetMacro(PositionTolerance, double);
+  foamOptionMacro(PositionTolerance, double);
   ///@}
 
   ///@{
   /**
    * Junction: smallest scale of a step. Default 1e-5.
    */
-  vtkSetMacro(MinimumScale, double);
-  vtkGetMacro(MinimumScale, double);
+  foamOptionMacro(MinimumScale, double);
   ///@}
 
 protected:
   vtkFoamEquilibratingAlgorithm();
-  ~vtkFoamEquilibratingAlgorithm() override = default;
+  ~vtkFoamEquilibratingAlgorithm() override;
 
   /// Makes the foam for the first piece and leaves the others empty. An error is told and leaves
   /// the outputs empty.
@@ -198,7 +185,9 @@ protected:
                         vtkInformationVector* outputs) = 0;
 
 #ifndef __VTK_WRAP__
-  foam::EquilibratorOptions GetEquilibratorOptions() const;
+  const foam::EquilibratorOptions& GetEquilibratorOptions() const {
+    return *this->Options;
+  }
 
   /// Writes a foam to the two outputs.
   void WriteOutputs(const foam::SampledFoam& sampled, vtkInformationVector* outputs);
@@ -216,23 +205,10 @@ private:
   void ClearOutputs(vtkInformationVector* outputs);
 
   double ChordError = 0;
-  int Equilibrator = Newton;
-  int Device = Auto;
-  double Tolerance = 1e-9;
-  int MaximumIterations = 256;
-  int LinearSolver = Iterative;
-  int Sweep = Jacobi;
-  int RootSearch = Angles;
-  int EnergyTarget = Zero;
-  bool EnergyDecay = true;
-  bool OrientationInvariant = false;
-  double Damping = 0.1;
-  double FiniteDifferenceStep = 0.01;
-  double JacobianTolerance = 1;
-  double PressureTolerance = 0.001;
-  double PositionTolerance = 0.001;
-  double MinimumScale = 1e-5;
   double LastPoll = 0;
+#ifndef __VTK_WRAP__
+  std::unique_ptr<foam::EquilibratorOptions> Options;
+#endif
 };
 
 #endif

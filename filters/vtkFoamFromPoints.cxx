@@ -84,15 +84,37 @@ std::vector<double> ReadTargetAreas(vtkPointSet* input, const std::string& name)
   return areas;
 }
 
-std::optional<foam::Box> ReadBox(const double bounds[4]) {
-  if (!std::all_of(bounds, bounds + 4, [](double b) { return std::isfinite(b); })) {
-    fail("PeriodicBounds must be finite, but are ", bounds[0], " ", bounds[1], " ", bounds[2], " ",
-         bounds[3]);
+void CheckFinite(const char* name, const double values[4]) {
+  if (!std::all_of(values, values + 4, [](double v) { return std::isfinite(v); })) {
+    fail(name, " must be finite, but are ", values[0], " ", values[1], " ", values[2], " ",
+         values[3]);
   }
-  if (bounds[0] >= bounds[1] || bounds[2] >= bounds[3]) {
+}
+
+foam::Vec2 LowerLeft(const std::vector<foam::Vec2>& points) {
+  foam::Vec2 corner;
+  if (!points.empty()) {
+    corner.x = std::ranges::min(points, {}, &foam::Vec2::x).x;
+    corner.y = std::ranges::min(points, {}, &foam::Vec2::y).y;
+  }
+  return corner;
+}
+
+/// None where it shall follow from the points.
+std::optional<foam::Lattice> ReadTorus(const double bounds[4], const double periods[4],
+                                       const std::vector<foam::Vec2>& points) {
+  CheckFinite("PeriodicBounds", bounds);
+  CheckFinite("PeriodVectors", periods);
+  const bool bounded = bounds[0] < bounds[1] && bounds[2] < bounds[3];
+  if (std::any_of(periods, periods + 4, [](double p) { return p != 0; })) {
+    return foam::Lattice{bounded ? foam::Vec2{bounds[0], bounds[2]} : LowerLeft(points),
+                         {periods[0], periods[1]},
+                         {periods[2], periods[3]}};
+  }
+  if (!bounded) {
     return std::nullopt;
   }
-  return foam::Box{bounds[0], bounds[1], bounds[2], bounds[3]};
+  return foam::Lattice::rectangle(bounds[0], bounds[1], bounds[2], bounds[3]);
 }
 
 /// How far a foam is from equilibrium: angles (rad) and areas (relative).
@@ -108,6 +130,21 @@ foam::EquilibriumReport MeasuredReport(const foam::Foam& foam) {
 }
 
 } // namespace
+
+using ThisClass = vtkFoamFromPoints;
+
+// clang-format off
+#define FOAM_OPTIONS(option, choice) \
+  choice(Boundary, this->Options->boundary) \
+  choice(TargetAreas, this->Options->target_areas) \
+  option(SurfaceTension, double, this->Options->surface_tension) \
+  option(FinSize, double, this->Options->fin_size)
+// clang-format on
+
+FOAM_OPTIONS(foamDefineOption, foamDefineChoice)
+
+vtkFoamFromPoints::vtkFoamFromPoints() : Options(std::make_unique<foam::BuildOptions>()) {}
+vtkFoamFromPoints::~vtkFoamFromPoints() = default;
 
 int vtkFoamFromPoints::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
@@ -125,18 +162,15 @@ int vtkFoamFromPoints::RequestUpdateExtent(vtkInformation* request, vtkInformati
 void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
-  foam::BuildOptions options;
-  options.boundary = static_cast<foam::Boundary>(this->Boundary);
-  options.target_areas = static_cast<foam::TargetAreas>(this->TargetAreas);
-  options.surface_tension = this->SurfaceTension;
-  options.fin_size = this->FinSize;
+  const std::vector<foam::Vec2> points = ReadPoints(input);
+  foam::BuildOptions options = *this->Options;
   if (options.boundary == foam::Boundary::Periodic) {
-    options.periodic_box = ReadBox(this->PeriodicBounds);
+    options.torus = ReadTorus(this->PeriodicBounds, this->PeriodVectors, points);
   }
   if (options.target_areas == foam::TargetAreas::Array) {
     options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
   }
-  foam::Foam foam = foam::build_from_points(ReadPoints(input), options);
+  foam::Foam foam = foam::build_from_points(points, options);
   foam.report = MeasuredReport(foam);
   this->BringToEquilibrium(foam);
   this->WriteOutputs(foam::sample(foam, this->GetChordError()), outputs);
@@ -169,12 +203,13 @@ void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
 
 void vtkFoamFromPoints::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Boundary: " << this->Boundary << "\n"
-     << indent << "PeriodicBounds: " << this->PeriodicBounds[0] << " " << this->PeriodicBounds[1]
-     << " " << this->PeriodicBounds[2] << " " << this->PeriodicBounds[3] << "\n"
-     << indent << "TargetAreas: " << this->TargetAreas << "\n"
-     << indent << "TargetAreaArray: " << this->TargetAreaArray << "\n"
-     << indent << "SurfaceTension: " << this->SurfaceTension << "\n"
-     << indent << "FinSize: " << this->FinSize << "\n"
+  FOAM_OPTIONS(foamPrintOption, foamPrintOption)
+  const auto print = [&](const char* name, const double values[4]) {
+    os << indent << name << ": " << values[0] << " " << values[1] << " " << values[2] << " "
+       << values[3] << "\n";
+  };
+  print("PeriodicBounds", this->PeriodicBounds);
+  print("PeriodVectors", this->PeriodVectors);
+  os << indent << "TargetAreaArray: " << this->TargetAreaArray << "\n"
      << indent << "Equilibrate: " << this->Equilibrate << "\n";
 }

@@ -10,10 +10,10 @@
  *
  * Output port 0, films: a polyline per film, sampled along its arc. Cell data LeftBubble,
  * RightBubble (−1 = the world), Curvature (1/cm, > 0 where the film bulges to the right),
- * PressureDifference (left minus right, N/cm²), Length (cm), HalfAngle (rad), OnBoundary; point
- * data JunctionId (−1 inside an arc); field data BubbleId, BubblePressure (N/cm), BubbleTargetArea
- * (cm²) and the foam's single values. They are the foam's whole state: a .vtp of them is a
- * checkpoint.
+ * PressureDifference (left minus right, N/cm²), Length (cm), HalfAngle (rad), OnBoundary and, where
+ * not all have 2γ, FilmTension (N/cm); point data JunctionId (−1 inside an arc); field data
+ * BubbleId, BubblePressure (N/cm²), BubbleTargetArea (cm²) and the foam's own values. They are the
+ * foam's whole state: a .vtp of them is a checkpoint.
  *
  * Output port 1, bubbles: a polygon per bubble. Cell data BubbleId, Area, TargetArea (cm²),
  * Pressure (N/cm²), Sides, Perimeter (cm), OnBoundary.
@@ -28,12 +28,14 @@
 #ifndef vtkFoamFromPoints_h
 #define vtkFoamFromPoints_h
 
+#include <memory> // for the options
 #include <string> // for the name of an array
 
 #include "vtkFoamEquilibratingAlgorithm.h"
 
 #ifndef __VTK_WRAP__
 namespace foam {
+struct BuildOptions;
 struct Foam;
 } // namespace foam
 #endif
@@ -52,8 +54,7 @@ public:
    * What surrounds the foam: Free (default), the world with pressure 0; Periodic, its own images on
    * a torus; Fixed, a sealed container.
    */
-  vtkSetClampMacro(Boundary, int, Free, Fixed);
-  vtkGetMacro(Boundary, int);
+  foamChoiceMacro(Boundary, Free, Fixed);
   ///@}
 
   ///@{
@@ -67,11 +68,20 @@ public:
 
   ///@{
   /**
+   * The two periods of a torus that is no rectangle, counter-clockwise: h1x, h1y, h2x, h2y, cm. Its
+   * cell begins in the lower left corner of PeriodicBounds or, where they are empty, of the points'
+   * bounds. Four zeros, the default, stand for the rectangle of PeriodicBounds.
+   */
+  vtkSetVector4Macro(PeriodVectors, double);
+  vtkGetVector4Macro(PeriodVectors, double);
+  ///@}
+
+  ///@{
+  /**
    * Where the target areas come from: Initial (default), each bubble's area in the initial mesh;
    * Uniform, their mean for every bubble; Array, the point array TargetAreaArray.
    */
-  vtkSetClampMacro(TargetAreas, int, Initial, Array);
-  vtkGetMacro(TargetAreas, int);
+  foamChoiceMacro(TargetAreas, Initial, Array);
   ///@}
 
   ///@{
@@ -87,8 +97,7 @@ public:
   /**
    * Surface tension γ, N/cm, > 0; a film has two surfaces and pulls with 2γ. Default 0.25.
    */
-  vtkSetMacro(SurfaceTension, double);
-  vtkGetMacro(SurfaceTension, double);
+  foamOptionMacro(SurfaceTension, double);
   ///@}
 
   ///@{
@@ -96,8 +105,7 @@ public:
    * How far the boundary films of the initial mesh stand out from the outermost points, cm; 0, the
    * default, stands for 1.5 mean spacings.
    */
-  vtkSetMacro(FinSize, double);
-  vtkGetMacro(FinSize, double);
+  foamOptionMacro(FinSize, double);
   ///@}
 
   ///@{
@@ -110,8 +118,8 @@ public:
   ///@}
 
 protected:
-  vtkFoamFromPoints() = default;
-  ~vtkFoamFromPoints() override = default;
+  vtkFoamFromPoints();
+  ~vtkFoamFromPoints() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
@@ -127,13 +135,13 @@ private:
   void BringToEquilibrium(foam::Foam& foam);
 #endif
 
-  int Boundary = Free;
   double PeriodicBounds[4] = {0, 0, 0, 0};
-  int TargetAreas = Initial;
+  double PeriodVectors[4] = {0, 0, 0, 0};
   std::string TargetAreaArray;
-  double SurfaceTension = 0.25;
-  double FinSize = 0;
   bool Equilibrate = true;
+#ifndef __VTK_WRAP__
+  std::unique_ptr<foam::BuildOptions> Options;
+#endif
 };
 
 #endif

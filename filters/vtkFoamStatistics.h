@@ -12,7 +12,7 @@
  * Port 1, BySides, one row per number of sides n: Sides, Count, Fraction p(n), MeanNeighbourSides
  * m(n), AboavProduct n·m(n), AboavIdeal 5n + 7.4, MeanArea ⟨A_n⟩/⟨A⟩.
  *
- * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm), Sides,
+ * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm²), Sides,
  * Perimeter (cm), OnBoundary.
  *
  * Port 3, Distribution, p(n) beside a real foam's in the scaling state, one row per n, also where

@@ -10,9 +10,9 @@ namespace foam::test {
 /// the neighbours of each.
 inline Foam with_two_sided_bubbles(Foam foam) {
   for (int pass = 0; pass < 3; ++pass) {
-    for (Index f = 0; f < foam.film_capacity(); ++f) {
-      const auto few = [&](Index b) { return b != kWorld && foam.sides[Foam::size(b)] <= 5; };
-      if (can_perform_t1(foam, f) && few(foam.left(2 * f)) != few(foam.right(2 * f))) {
+    for (const Film f : foam.film_slots()) {
+      const auto few = [&](Bubble b) { return !b.is_outside() && foam.sides[b] <= 5; };
+      if (can_perform_t1(foam, f) && few(foam.left(f.half())) != few(foam.right(f.half()))) {
         perform_t1(foam, f);
       }
     }

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "mesh/elements.h"
+#include "mesh/ids.h"
 
 namespace foam {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/elements.h"
+#include "mesh/ids.h"
 
 namespace foam {
 
@@ -16,7 +16,14 @@ struct LowerTriangle {
 };
 
 /// Solves sparse symmetric systems by a factorisation, on the machine (parallel/host.h) in whose
-/// memory they are.
+/// memory they are. It takes the three steps of any direct solver, MultifrontalSolver's too, in one
+/// call:
+///   analyse    from where the matrix has entries, in which order unknowns are eliminated and where
+///              the factors have entries; not again while they stay in the same places,
+///   factorise  from the entries' values,
+///   solve      the right-hand side.
+/// Unlike MultifrontalSolver it takes a matrix that is summed up, finds an order itself, tells
+/// nothing of inertia, and leaves it to others to find out how accurate it was.
 class DirectSolver {
 public:
   DirectSolver() = default;
@@ -24,9 +31,8 @@ public:
   DirectSolver& operator=(const DirectSolver&) = delete;
   virtual ~DirectSolver() = default;
 
-  /// Solves matrix · x = b. How good the solution is has to be found out: the matrix may be
-  /// indefinite, and pivots may have been too small.
-  /// \param b right-hand side and \param x solution, size numbers each.
+  /// Solves matrix · x = b: as well as pivots allow, some of which may have been too small where
+  /// the matrix is indefinite. \param b right-hand side and \param x solution, size numbers each.
   /// \throws FoamError if the solver fails.
   virtual void solve(const LowerTriangle& matrix, const double* b, double* x) = 0;
 };

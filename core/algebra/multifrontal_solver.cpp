@@ -18,10 +18,6 @@ constexpr double kSmallestPivot = 1e-13; // of a front's largest entry
 constexpr double kBackwardError = 1e-7;  // of a factorisation that serves
 constexpr double kWorthAThread = 2e6;    // multiplications
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 double largest_of(std::span<const double> entries) {
   constexpr parallel::Larger larger{};
   double largest = 0;
@@ -57,15 +53,15 @@ private:
 } // namespace
 
 std::size_t MultifrontalSolver::Front::entries() const {
-  return at(pivots()) * at(size());
+  return place_of(pivots()) * place_of(size());
 }
 
 std::span<Index> MultifrontalSolver::above(const Front& front) {
-  return {above_.data() + front.first_above, at(front.above)};
+  return {above_.data() + front.first_above, place_of(front.above)};
 }
 
 std::span<Index> MultifrontalSolver::places_above(const Front& front) {
-  return {parent_.data() + front.first_above, at(front.above)};
+  return {parent_.data() + front.first_above, place_of(front.above)};
 }
 
 template <class Entry> std::span<Entry> MultifrontalSolver::columns(const Front& front) {
@@ -73,103 +69,118 @@ template <class Entry> std::span<Entry> MultifrontalSolver::columns(const Front&
 }
 
 std::span<double> MultifrontalSolver::pivots(const Front& front) {
-  return {pivot_.data() + front.node.begin, at(front.pivots())};
+  return {pivot_.data() + front.node.begin, place_of(front.pivots())};
 }
 
 std::span<double> MultifrontalSolver::vector(const Front& front) {
-  return {vector_.data() + front.node.begin + front.first_above, at(front.size())};
+  return {vector_.data() + front.node.begin + front.first_above, place_of(front.size())};
 }
 
 MultifrontalSolver::MultifrontalSolver(int threads) : threads_(thread_count(threads)) {}
 
-void MultifrontalSolver::analyse(const EliminationTree& tree, std::span<const FilmShare> shares) {
+template <std::size_t N>
+void MultifrontalSolver::analyse(const EliminationTree& tree,
+                                 std::span<const ElementMatrix<N>> elements) {
   order_ = tree.order;
-  std::vector<Index> position(order_.size());
+  Numbering numbering{std::vector<Index>(order_.size()), std::vector<Index>(order_.size(), kNone)};
   for (std::size_t i = 0; i < order_.size(); ++i) {
-    position[at(order_[i])] = static_cast<Index>(i);
+    numbering.position[place_of(order_[i])] = static_cast<Index>(i);
   }
   fronts_.clear();
   std::vector<Index> front_of(order_.size()); // that eliminates a position
   for (const EliminationTree::Node& node : tree.nodes) {
     for (Index i = node.begin; i < node.end; ++i) {
-      front_of[at(i)] = static_cast<Index>(fronts_.size());
+      front_of[place_of(i)] = static_cast<Index>(fronts_.size());
     }
     fronts_.emplace_back().node = node;
   }
-  for (std::size_t s = 0; s < shares.size(); ++s) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
     Index first = kNone;
-    for (const Index u : shares[s].unknown) {
-      if (u != kNone && (first == kNone || position[at(u)] < first)) {
-        first = position[at(u)];
+    for (const Index u : elements[e].unknown) {
+      if (u != kNone && (first == kNone || numbering.position[place_of(u)] < first)) {
+        first = numbering.position[place_of(u)];
       }
     }
     if (first != kNone) {
-      fronts_[at(front_of[at(first)])].shares.push_back(static_cast<Index>(s));
+      fronts_[place_of(front_of[place_of(first)])].elements.push_back(static_cast<Index>(e));
     }
   }
-  std::vector<Index> place(order_.size(), kNone); // in the front at hand, by position
   above_.clear();
   parent_.clear();
   entries_ = 0;
   for (Front& front : fronts_) {
-    front.first_above = above_.size();
-    const auto meet = [&](Index p) {
-      if (p >= front.node.end && place[at(p)] == kNone) {
-        place[at(p)] = 0;
-        above_.push_back(p);
-      }
-    };
-    for (const Index s : front.shares) {
-      for (const Index u : shares[at(s)].unknown) {
-        if (u != kNone) {
-          meet(position[at(u)]);
-        }
-      }
-    }
-    for (const Index child : front.node.children) {
-      if (child != kNone) {
-        const Front& below = fronts_[at(child)];
-        for (std::size_t i = 0; i < at(below.above); ++i) {
-          meet(above_[below.first_above + i]); // which may move them
-        }
-      }
-    }
-    front.above = static_cast<Index>(above_.size() - front.first_above);
-    front.first_entry = entries_;
-    entries_ += front.entries();
-    parent_.resize(above_.size());
-    const std::span<Index> positions = above(front);
-    std::ranges::sort(positions);
-    for (Index i = 0; i < front.pivots(); ++i) {
-      place[at(front.node.begin + i)] = i;
-    }
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      place[at(positions[i])] = front.pivots() + static_cast<Index>(i);
-    }
-    for (const Index s : front.shares) {
-      auto& places = front.places.emplace_back();
-      std::ranges::transform(shares[at(s)].unknown, places.begin(), [&](Index u) {
-        return u == kNone ? kNone : place[at(position[at(u)])];
-      });
-    }
-    const double size = front.size();
-    const double left = size - front.pivots();
-    front.work = (size * size * size - left * left * left) / 6;
-    for (const Index child : front.node.children) {
-      if (child != kNone) {
-        const Front& below = fronts_[at(child)];
-        front.work += below.work;
-        std::ranges::transform(above(below), places_above(below).begin(),
-                               [&](Index p) { return place[at(p)]; });
-      }
-    }
-    for (const Index p : positions) {
-      place[at(p)] = kNone;
-    }
+    find_above(front, elements, numbering);
+    find_places(front, elements, numbering);
   }
   vector_.resize(order_.size() + above_.size());
   solution_.resize(order_.size());
   pivot_.resize(order_.size());
+}
+
+/// Lists the unknowns above a front that its elements and the fronts below it touch.
+template <std::size_t N>
+void MultifrontalSolver::find_above(Front& front, std::span<const ElementMatrix<N>> elements,
+                                    Numbering& numbering) {
+  front.first_above = above_.size();
+  const auto meet = [&](Index p) {
+    if (p >= front.node.end && numbering.place[place_of(p)] == kNone) {
+      numbering.place[place_of(p)] = 0;
+      above_.push_back(p);
+    }
+  };
+  for (const Index e : front.elements) {
+    for (const Index u : elements[place_of(e)].unknown) {
+      if (u != kNone) {
+        meet(numbering.position[place_of(u)]);
+      }
+    }
+  }
+  for (const Index child : front.node.children) {
+    if (child != kNone) {
+      const Front& below = fronts_[place_of(child)];
+      for (std::size_t i = 0; i < place_of(below.above); ++i) {
+        meet(above_[below.first_above + i]); // which may move them
+      }
+    }
+  }
+  front.above = static_cast<Index>(above_.size() - front.first_above);
+  std::ranges::sort(above(front));
+}
+
+/// Finds where a front's own columns and what comes into it from below have their places.
+template <std::size_t N>
+void MultifrontalSolver::find_places(Front& front, std::span<const ElementMatrix<N>> elements,
+                                     Numbering& numbering) {
+  std::vector<Index>& place = numbering.place;
+  front.first_entry = entries_;
+  entries_ += front.entries();
+  parent_.resize(above_.size());
+  const std::span<const Index> positions = above(front);
+  for (Index i = 0; i < front.pivots(); ++i) {
+    place[place_of(front.node.begin + i)] = i;
+  }
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    place[place_of(positions[i])] = front.pivots() + static_cast<Index>(i);
+  }
+  for (const Index e : front.elements) {
+    for (const Index u : elements[place_of(e)].unknown) {
+      front.places.push_back(u == kNone ? kNone : place[place_of(numbering.position[place_of(u)])]);
+    }
+  }
+  const double size = front.size();
+  const double left = size - front.pivots();
+  front.work = (size * size * size - left * left * left) / 6;
+  for (const Index child : front.node.children) {
+    if (child != kNone) {
+      const Front& below = fronts_[place_of(child)];
+      front.work += below.work;
+      std::ranges::transform(above(below), places_above(below).begin(),
+                             [&](Index p) { return place[place_of(p)]; });
+    }
+  }
+  for (const Index p : positions) {
+    place[place_of(p)] = kNone;
+  }
 }
 
 /// Does something with two fronts, at the same time on several threads: part(front, threads).
@@ -189,7 +200,7 @@ void MultifrontalSolver::both(Index first, Index second, int threads, const Part
 /// Visits all fronts of a subtree, children before their parent: as they lie in memory.
 template <class Visit>
 void MultifrontalSolver::upwards(Index front, int threads, double least, const Visit& visit) const {
-  const Front& root = fronts_[at(front)];
+  const Front& root = fronts_[place_of(front)];
   const auto [first, second] = root.node.children;
   if (first != kNone) {
     both(first, second, root.work > least ? threads : 1,
@@ -203,7 +214,7 @@ template <class Visit>
 void MultifrontalSolver::downwards(Index front, int threads, double least,
                                    const Visit& visit) const {
   visit(front);
-  const Front& root = fronts_[at(front)];
+  const Front& root = fronts_[place_of(front)];
   const auto [first, second] = root.node.children;
   if (first != kNone) {
     both(second, first, root.work > least ? threads : 1,
@@ -211,7 +222,8 @@ void MultifrontalSolver::downwards(Index front, int threads, double least,
   }
 }
 
-Index MultifrontalSolver::factorise(std::span<const FilmShare> shares,
+template <std::size_t N>
+Index MultifrontalSolver::factorise(std::span<const ElementMatrix<N>> elements,
                                     std::span<const double> diagonal) {
   rounded_ = false;
   if (capacity_ < entries_) {
@@ -219,47 +231,47 @@ Index MultifrontalSolver::factorise(std::span<const FilmShare> shares,
     capacity_ = entries_;
   }
   upwards(static_cast<Index>(fronts_.size()) - 1, threads_, kWorthAThread, [&](Index f) {
-    Front& front = fronts_[at(f)];
-    assemble(front, shares, diagonal);
+    Front& front = fronts_[place_of(f)];
+    assemble(front, elements, diagonal);
     front.broken = !eliminate_densely(columns<double>(front), front.contribution, pivots(front),
                                       kSmallestPivot * largest_of(columns<double>(front)));
   });
-  if (std::ranges::any_of(fronts_, &Front::broken) || !accurate(shares, diagonal)) {
+  if (std::ranges::any_of(fronts_, &Front::broken) || !accurate(elements, diagonal)) {
     return -1;
   }
   return static_cast<Index>(std::ranges::count_if(pivot_, [](double d) { return d < 0; }));
 }
 
-void MultifrontalSolver::assemble(Front& front, std::span<const FilmShare> shares,
+template <std::size_t N>
+void MultifrontalSolver::assemble(Front& front, std::span<const ElementMatrix<N>> elements,
                                   std::span<const double> diagonal) {
   const Index p = front.pivots();
   std::ranges::fill(columns<double>(front), 0.0);
-  front.contribution.assign(at(front.above) * at(front.above), 0.0);
+  front.contribution.assign(place_of(front.above) * place_of(front.above), 0.0);
   const FrontMatrix matrix(columns<double>(front), front.contribution, p, front.size());
   for (Index i = 0; i < p; ++i) {
-    matrix(i, i) = diagonal[at(order_[at(front.node.begin + i)])];
+    matrix(i, i) = diagonal[place_of(order_[place_of(front.node.begin + i)])];
   }
-  for (std::size_t s = 0; s < front.shares.size(); ++s) {
-    const std::array<Index, 7>& place = front.places[s];
-    const double* value = shares[at(front.shares[s])].value.data();
-    for (std::size_t row = 0; row < 7; ++row) {
-      for (std::size_t column = 0; column <= row; ++column, ++value) {
-        if (place[row] != kNone && place[column] != kNone) {
-          const bool folded = row != column && place[row] == place[column];
-          matrix(place[row], place[column]) += (folded ? 2 : 1) * *value;
-        }
+  const Index* place = front.places.data();
+  for (const Index e : front.elements) {
+    const auto& value = elements[place_of(e)].value;
+    for_each_lower<N>([&](std::size_t row, std::size_t column, std::size_t k) {
+      if (place[row] != kNone && place[column] != kNone) {
+        const bool folded = row != column && place[row] == place[column];
+        matrix(place[row], place[column]) += (folded ? 2 : 1) * value[k];
       }
-    }
+    });
+    place += N;
   }
   for (const Index child : front.node.children) {
     if (child == kNone) {
       continue;
     }
-    Front& below = fronts_[at(child)];
-    const std::span<const Index> place = places_above(below);
-    for (std::size_t column = 0; column < place.size(); ++column) {
-      for (std::size_t row = column; row < place.size(); ++row) {
-        matrix(place[row], place[column]) += below.contribution[column * place.size() + row];
+    Front& below = fronts_[place_of(child)];
+    const std::span<const Index> here = places_above(below);
+    for (std::size_t column = 0; column < here.size(); ++column) {
+      for (std::size_t row = column; row < here.size(); ++row) {
+        matrix(here[row], here[column]) += below.contribution[column * here.size() + row];
       }
     }
     below.contribution.clear();
@@ -279,14 +291,14 @@ void MultifrontalSolver::round() {
 
 void MultifrontalSolver::solve(std::span<double> rhs) {
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    solution_[i] = rhs[at(order_[i])];
+    solution_[i] = rhs[place_of(order_[i])];
   }
   const auto root = static_cast<Index>(fronts_.size()) - 1;
   const double least = 10 * kWorthAThread;
-  upwards(root, threads_, least, [&](Index f) { solve_upwards(fronts_[at(f)]); });
-  downwards(root, threads_, least, [&](Index f) { solve_downwards(fronts_[at(f)]); });
+  upwards(root, threads_, least, [&](Index f) { solve_upwards(fronts_[place_of(f)]); });
+  downwards(root, threads_, least, [&](Index f) { solve_downwards(fronts_[place_of(f)]); });
   for (std::size_t i = 0; i < rhs.size(); ++i) {
-    rhs[at(order_[i])] = solution_[i];
+    rhs[place_of(order_[i])] = solution_[i];
   }
 }
 
@@ -297,11 +309,11 @@ void MultifrontalSolver::solve_upwards(Front& front) {
   std::fill(above, x.end(), 0.0);
   for (const Index child : front.node.children) {
     if (child != kNone) {
-      const Front& below = fronts_[at(child)];
+      const Front& below = fronts_[place_of(child)];
       const std::span<const Index> place = places_above(below);
-      const std::span<const double> from = vector(below).subspan(at(below.pivots()));
+      const std::span<const double> from = vector(below).subspan(place_of(below.pivots()));
       for (std::size_t i = 0; i < place.size(); ++i) {
-        x[at(place[i])] += from[i];
+        x[place_of(place[i])] += from[i];
       }
     }
   }
@@ -317,7 +329,7 @@ void MultifrontalSolver::solve_upwards(Front& front) {
 void MultifrontalSolver::solve_downwards(Front& front) {
   const std::span<double> x = vector(front);
   std::ranges::transform(above(front), x.begin() + front.pivots(),
-                         [&](Index p) { return solution_[at(p)]; });
+                         [&](Index p) { return solution_[place_of(p)]; });
   if (rounded_) {
     solve_upper(columns<const float>(front), x);
   } else {
@@ -328,7 +340,8 @@ void MultifrontalSolver::solve_downwards(Front& front) {
 
 /// Whether small pivots have left enough digits: the backward error of one solution (N. J. Higham,
 /// Accuracy and Stability of Numerical Algorithms, 2nd ed., 2002, ch. 7).
-bool MultifrontalSolver::accurate(std::span<const FilmShare> shares,
+template <std::size_t N>
+bool MultifrontalSolver::accurate(std::span<const ElementMatrix<N>> elements,
                                   std::span<const double> diagonal) {
   constexpr double kGoldenRatio = 0.6180339887498949; // its multiples' fractions repeat nowhere
   std::vector<double> rest(order_.size());
@@ -342,11 +355,17 @@ bool MultifrontalSolver::accurate(std::span<const FilmShare> shares,
     rest[u] -= diagonal[u] * solution[u];
   }
   double largest = 0;
-  for (const FilmShare& share : shares) {
-    subtract_product(share, share.unknown, solution, rest);
-    largest = std::max(largest, largest_entry(share));
+  for (const ElementMatrix<N>& element : elements) {
+    subtract_product(element, element.unknown, solution, rest);
+    largest = std::max(largest, largest_entry(element));
   }
   return largest_of(rest) < kBackwardError * largest * largest_of(solution);
 }
+
+// The sizes in use; others are to be added here.
+template void MultifrontalSolver::analyse(const EliminationTree&,
+                                          std::span<const ElementMatrix<7>>);
+template Index MultifrontalSolver::factorise(std::span<const ElementMatrix<7>>,
+                                             std::span<const double>);
 
 } // namespace foam

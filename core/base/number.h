@@ -5,7 +5,6 @@
 #include <charconv>
 #include <string>
 
-#include "base/number.h"
 #include "geometry/vec2.h"
 
 namespace foam {

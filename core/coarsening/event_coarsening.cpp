@@ -10,6 +10,7 @@
 
 #include "coarsening/newton_rules.h"
 #include "mesh/validate.h"
+#include "physics/gas.h"
 #include "physics/step_limits.h"
 #include "physics/swap_rule.h"
 #include "topology/cascade.h"
@@ -29,23 +30,23 @@ constexpr int kRings = 3;                    // around an event that its operati
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
 /// bubble cannot well spare one.
-std::vector<Index> films_to_swap(const Foam& foam, Index bubble) {
-  std::vector<Index> films;
-  for_each_half(foam, bubble, [&](Index h) {
-    if (can_perform_t1(foam, Foam::film_of(h))) {
-      films.push_back(Foam::film_of(h));
+std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
+  std::vector<Film> films;
+  for_each_half(foam, bubble, [&](Half h) {
+    if (can_perform_t1(foam, h.film())) {
+      films.push_back(h.film());
     }
   });
   std::ranges::stable_sort(
-      films, {}, [&](Index f) { return std::pair(!spares_sides(foam, f), foam.length(2 * f)); });
+      films, {}, [&](Film f) { return std::pair(!spares_sides(foam, f), foam.length(f.half())); });
   return films;
 }
 
 /// Whether a foam that is not in equilibrium may still be shown and gone on from.
 bool is_a_foam(const Foam& foam) {
   const auto in_range = [](double alpha) { return std::abs(alpha) < std::numbers::pi; };
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    if (foam.has_bubble(b) && !(foam.target_area[Foam::size(b)] > 0)) {
+  for (const Bubble b : foam.bubble_slots()) {
+    if (foam.has_bubble(b) && !(foam.target_area[b] > 0)) {
       return false;
     }
   }
@@ -111,9 +112,9 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
     slide_two_sided_bubbles(aborted);
   }
   expect_all();
-  for (Index f = 0; f < foam_.film_capacity(); ++f) {
-    if (foam_.has_film(f) && !foam_.wall(2 * f) && film_is_due(f)) {
-      expect({now_, Event::Kind::Close, f});
+  for (const Film f : foam_.film_slots()) {
+    if (foam_.bends(f) && film_is_due(f)) {
+      expect({.time = now_, .kind = Event::Kind::Close, .film = f});
     }
   }
   int events_left = kEvents + kEventsPerBubble * foam_.bubble_count();
@@ -135,35 +136,36 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   return true;
 }
 
-/// Gives a closed container's bubbles back what has been lost on the way: on a torus by rounding,
-/// to all of them; in a box also at its walls, to the bubbles there, as von Neumann's law is not
-/// theirs.
+/// Gives a closed foam's bubbles back what has been lost on the way: by rounding and, where rates
+/// are measured, by what they were off. The bubbles take part whose rates those are; on a torus
+/// all.
 void EventCoarsening::balance_gas() {
-  if (foam_.boundary == Boundary::Free) {
+  if (!foam_.surroundings.closed()) {
     return;
   }
+  const AreaRate rate = area_rate(view_of(std::as_const(foam_)), options_.permeability);
   double lost = 0;
   double share = 0; // the gas of those that take part
-  std::vector<Index> taking_part;
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+  std::vector<Bubble> taking_part;
+  for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b)) {
-      const double gas = foam_.target_area[Foam::size(b)];
+      const double gas = foam_.target_area[b];
       lost += foam_.area(b) - gas;
-      if (foam_.boundary == Boundary::Periodic || foam_.bubble_on_world(b)) {
+      if (foam_.surroundings.periodic() || rate.evens_out(b)) {
         share += gas;
         taking_part.push_back(b);
       }
     }
   }
-  for (const Index b : taking_part) {
-    foam_.target_area[Foam::size(b)] *= 1 + lost / share;
+  for (const Bubble b : taking_part) {
+    foam_.target_area[b] *= 1 + lost / share;
   }
 }
 
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
-  std::vector<double> rates = area_rates(foam_, options_.permeability);
-  const Step* response = newton_.response(foam_, rates, motion_.expected(), drift());
+  Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+  const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {
     motion_.take_whole(newton_.region(), *response, !careful_);
@@ -174,12 +176,12 @@ void EventCoarsening::predict_whole() {
 
 void EventCoarsening::expect_all() {
   queue_.clear(foam_);
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+  for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b)) {
       expect_bubble(b);
     }
   }
-  for (Index f = 0; f < foam_.film_capacity(); ++f) {
+  for (const Film f : foam_.film_slots()) {
     if (foam_.has_film(f)) {
       expect_film(f);
     }
@@ -187,26 +189,29 @@ void EventCoarsening::expect_all() {
 }
 
 /// \pre the bubble stands at this instant
-void EventCoarsening::expect_bubble(Index bubble) {
-  queue_.cancel_bubble(bubble);
+void EventCoarsening::expect_bubble(Bubble bubble) {
+  queue_.cancel(bubble);
   const double rate = motion_.area_rate(bubble);
   if (rate < 0) {
-    const double excess = foam_.target_area[Foam::size(bubble)] - collapse_area(bubble);
-    expect({now_ + std::max(excess, 0.0) / -rate, Event::Kind::Collapse, bubble});
+    const double excess = foam_.target_area[bubble] - collapse_area(bubble);
+    expect({.time = now_ + std::max(excess, 0.0) / -rate,
+            .kind = Event::Kind::Collapse,
+            .bubble = bubble});
   }
 }
 
 /// \pre the film stands at this instant
-void EventCoarsening::expect_film(Index film) {
-  queue_.cancel_film(film);
-  if (foam_.wall(2 * film)) {
+void EventCoarsening::expect_film(Film film) {
+  queue_.cancel(film);
+  if (foam_.wall(film.half())) {
     return;
   }
-  const Vec2 chord = foam_.chord(2 * film);
+  const Vec2 chord = foam_.chord(film.half());
   const Vec2 change = motion_.chord_rate(foam_, film);
   const double d = norm(chord);
-  Event event{std::numeric_limits<double>::infinity(), Event::Kind::Close, film};
-  const double alpha = foam_.half_angle(2 * film);
+  Event event{
+      .time = std::numeric_limits<double>::infinity(), .kind = Event::Kind::Close, .film = film};
+  const double alpha = foam_.half_angle(film.half());
   const double growth = arc_growth(chord, change, alpha, motion_.angle_rate(film));
   if (growth < 0 && spares_sides(foam_, film)) {
     const double excess = std::max(arc_shape(alpha).f * d - limit_.t1_length, 0.0);
@@ -216,7 +221,8 @@ void EventCoarsening::expect_film(Index film) {
     const double strained =
         now_ + std::max(kLargestChange * d / norm(change), kFinestStrain * options_.time_step);
     if (strained < event.time) {
-      event = {strained, Event::Kind::Strain, film};
+      event.time = strained;
+      event.kind = Event::Kind::Strain;
     }
   }
   expect(event);
@@ -231,13 +237,13 @@ void EventCoarsening::expect(const Event& event) {
 /// \returns false if a bubble would vanish that cannot.
 bool EventCoarsening::settle(const Event& event, const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
-    return !foam_.has_bubble(event.element) || settle_collapse(event.element, aborted);
+    return !foam_.has_bubble(event.bubble) || settle_collapse(event.bubble, aborted);
   }
-  if (!foam_.has_film(event.element)) {
+  const Film film = event.film;
+  if (!foam_.has_film(film)) {
     return true;
   }
-  const Index film = event.element;
-  const std::array bubbles{foam_.left(2 * film), foam_.right(2 * film)};
+  const std::array bubbles{foam_.left(film.half()), foam_.right(film.half())};
   motion_.bring(foam_, rings_around(foam_, bubbles, kRings), now_);
   if (event.kind == Event::Kind::Strain) {
     relax_around(bubbles, aborted);
@@ -254,17 +260,16 @@ bool EventCoarsening::settle(const Event& event, const AbortCheck& aborted) {
   return true;
 }
 
-bool EventCoarsening::settle_collapse(Index bubble, const AbortCheck& aborted) {
+bool EventCoarsening::settle_collapse(Bubble bubble, const AbortCheck& aborted) {
   motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
-  const auto i = Foam::size(bubble);
-  const double target = foam_.target_area[i];
+  const double target = foam_.target_area[bubble];
   if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
     relax_around(std::array{bubble}, aborted);
     if (motion_.area_rate(bubble) >= 0) {
       return true;
     }
   }
-  if (foam_.sides[i] <= 3) {
+  if (foam_.sides[bubble] <= 3) {
     const CascadeResult result = topological_cascade(foam_, rules(), {}, std::array{bubble});
     if (result.changed()) {
       relax_around(result.bubbles, aborted);
@@ -274,10 +279,10 @@ bool EventCoarsening::settle_collapse(Index bubble, const AbortCheck& aborted) {
   if (reduce_remnant(bubble, aborted)) {
     return true;
   }
-  if (foam_.target_area[i] <= smallest_area_ * (1 + kReached)) {
+  if (foam_.target_area[bubble] <= smallest_area_ * (1 + kReached)) {
     return false;
   }
-  patience_[i] *= 0.25;
+  patience_[bubble] *= 0.25;
   expect_bubble(bubble);
   return true;
 }
@@ -285,14 +290,13 @@ bool EventCoarsening::settle_collapse(Index bubble, const AbortCheck& aborted) {
 /// Takes a side from a bubble that is at its end with more than three, so that three are left at
 /// last: swaps the shortest of its films with which the foam finds an equilibrium. \returns whether
 /// there is one.
-bool EventCoarsening::reduce_remnant(Index bubble, const AbortCheck& aborted) {
-  const auto i = Foam::size(bubble);
+bool EventCoarsening::reduce_remnant(Bubble bubble, const AbortCheck& aborted) {
   const State before{foam_, motion_, patience_};
-  for (const Index film : films_to_swap(before.foam, bubble)) {
-    std::vector<Index> around{foam_.left(2 * film), foam_.right(2 * film)};
+  for (const Film film : films_to_swap(before.foam, bubble)) {
+    std::vector<Bubble> around{foam_.left(film.half()), foam_.right(film.half())};
     perform_t1(foam_, film);
-    around.insert(around.end(), {foam_.left(2 * film), foam_.right(2 * film)});
-    if (relax_patch(around, aborted) && foam_.sides[i] < before.foam.sides[i]) {
+    around.insert(around.end(), {foam_.left(film.half()), foam_.right(film.half())});
+    if (relax_patch(around, aborted) && foam_.sides[bubble] < before.foam.sides[bubble]) {
       move_on();
       return true;
     }
@@ -303,21 +307,21 @@ bool EventCoarsening::reduce_remnant(Index bubble, const AbortCheck& aborted) {
 
 /// Thesis 3.6.1: each two-sided bubble goes to the nearest corner and takes a side there.
 void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
-  for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+  for (const Bubble b : foam_.bubble_slots()) {
     if (!can_perform_t3(foam_, b)) {
       continue;
     }
     slide_two_sided_bubble(foam_, b, limit_.t1_length);
-    std::vector<Index> around{b};
-    Index shortest = kNone;
-    for_each_half(foam_, b, [&](Index h) {
-      const Index film = Foam::film_of(foam_.previous_around_junction(h));
-      if (shortest == kNone || foam_.length(2 * film) < foam_.length(2 * shortest)) {
+    std::vector<Bubble> around{b};
+    Film shortest = kNone;
+    for_each_half(foam_, b, [&](Half h) {
+      const Film film = foam_.previous_around_junction(h).film();
+      if (shortest == kNone || foam_.length(film.half()) < foam_.length(shortest.half())) {
         shortest = film;
       }
     });
     if (can_perform_t1(foam_, shortest) && spares_sides(foam_, shortest)) {
-      for (const Index bubble : perform_t1(foam_, shortest)) {
+      for (const Bubble bubble : perform_t1(foam_, shortest)) {
         around.push_back(bubble);
       }
     }
@@ -327,39 +331,39 @@ void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
 
 CollapseRules EventCoarsening::rules() const {
   CollapseRules rules;
-  rules.t1 = [this](const Foam&, Index f) { return film_is_due(f); };
-  rules.t2 = [this](const Foam& foam, Index b) {
-    return foam.target_area[Foam::size(b)] <= limit_.t2_area * (1 + kReached);
+  rules.t1 = [this](const Foam&, Film f) { return film_is_due(f); };
+  rules.t2 = [this](const Foam& foam, Bubble b) {
+    return foam.target_area[b] <= limit_.t2_area * (1 + kReached);
   };
   rules.t3 = rules.t2;
   return rules;
 }
 
 /// Whether the film is to be swapped: short, shrinking and pulled shut.
-bool EventCoarsening::film_is_due(Index film) const {
-  return foam_.length(2 * film) <= limit_.t1_length * (1 + kReached) &&
-         dot(foam_.chord(2 * film), motion_.chord_rate(foam_, film)) < 0 &&
+bool EventCoarsening::film_is_due(Film film) const {
+  return foam_.length(film.half()) <= limit_.t1_length * (1 + kReached) &&
+         dot(foam_.chord(film.half()), motion_.chord_rate(foam_, film)) < 0 &&
          spares_sides(foam_, film) && pulled_shut(foam_, film);
 }
 
 /// The area at which the bubble is to give way. With more than three sides it does so while there
 /// is still room for a swap, unless it was tried in vain.
-double EventCoarsening::collapse_area(Index bubble) const {
-  if (foam_.sides[Foam::size(bubble)] <= 3) {
+double EventCoarsening::collapse_area(Bubble bubble) const {
+  if (foam_.sides[bubble] <= 3) {
     return limit_.t2_area;
   }
   const double room = std::max(limit_.t2_area, kRemnantArea / kSmallestArea * smallest_area_);
-  return std::max(room * patience_[Foam::size(bubble)], smallest_area_);
+  return std::max(room * patience_[bubble], smallest_area_);
 }
 
 /// After an event at these bubbles.
-void EventCoarsening::relax_around(std::span<const Index> bubbles, const AbortCheck& aborted) {
+void EventCoarsening::relax_around(std::span<const Bubble> bubbles, const AbortCheck& aborted) {
   relax_patch(bubbles, aborted);
   move_on();
 }
 
 /// \returns whether an equilibrium was found.
-bool EventCoarsening::relax_patch(std::span<const Index> bubbles, const AbortCheck& aborted) {
+bool EventCoarsening::relax_patch(std::span<const Bubble> bubbles, const AbortCheck& aborted) {
   const auto bring = [this](const Region& region) {
     motion_.bring(foam_, region.bubbles, now_);
     motion_.bring(foam_, region.rim, now_);
@@ -387,16 +391,17 @@ void EventCoarsening::move_on() {
     return;
   }
   const Region& region = newton_.patch_region();
-  for (const Index b : region.bubbles) {
-    motion_.set_area_rate(b, area_rate(foam_, b, options_.permeability));
+  const AreaRate rate = area_rate(view_of(std::as_const(foam_)), options_.permeability);
+  for (const Bubble b : region.bubbles) {
+    motion_.set_area_rate(b, rate(b));
     motion_.hold_wall(foam_, b);
   }
-  if (const Step* response =
+  if (const newton::StepView* response =
           newton_.patch_response(foam_, motion_.area_rates(), motion_.rates(), drift())) {
     motion_.take_patch(region, *response);
   }
-  std::ranges::for_each(region.bubbles, [this](Index b) { expect_bubble(b); });
-  std::ranges::for_each(region.films, [this](Index f) { expect_film(f); });
+  std::ranges::for_each(region.bubbles, [this](Bubble b) { expect_bubble(b); });
+  std::ranges::for_each(region.films, [this](Film f) { expect_film(f); });
 }
 
 } // namespace foam

@@ -14,8 +14,9 @@ namespace foam {
 
 /// Coarsening that moves from one topological event to the next.
 ///
-/// Between events every target area is linear in time, so the instant at which a bubble reaches the
-/// T2 area is known; the instant at which a film reaches the T1 length is predicted from the
+/// Between events every target area is linear in time, by von Neumann's law or, where that does not
+/// hold (AreaRate), to the first order of the time step, so the instant at which a bubble reaches
+/// the T2 area is known; the instant at which a film reaches the T1 length is predicted from the
 /// equilibrium's response to the areas' rates. At an event the film is swapped or the bubble
 /// removed and a patch around it relaxes, while the rest of the foam moves on along its response; a
 /// few rings away an event is hardly felt, nor does it cost anything there. Every frame ends in an
@@ -34,7 +35,7 @@ private:
   struct State {
     Foam foam;
     Motion motion;
-    std::vector<double> patience;
+    Field<Bubble, double> patience;
   };
 
   bool integrate(bool careful, const AbortCheck& aborted);
@@ -45,20 +46,20 @@ private:
   void balance_gas();
 
   void expect_all();
-  void expect_film(Index film);
-  void expect_bubble(Index bubble);
+  void expect_film(Film film);
+  void expect_bubble(Bubble bubble);
   void expect(const Event& event);
 
   bool settle(const Event& event, const AbortCheck& aborted);
-  bool settle_collapse(Index bubble, const AbortCheck& aborted);
-  bool reduce_remnant(Index bubble, const AbortCheck& aborted);
+  bool settle_collapse(Bubble bubble, const AbortCheck& aborted);
+  bool reduce_remnant(Bubble bubble, const AbortCheck& aborted);
   void slide_two_sided_bubbles(const AbortCheck& aborted);
   CollapseRules rules() const;
-  bool film_is_due(Index film) const;
-  double collapse_area(Index bubble) const;
+  bool film_is_due(Film film) const;
+  double collapse_area(Bubble bubble) const;
 
-  void relax_around(std::span<const Index> bubbles, const AbortCheck& aborted);
-  bool relax_patch(std::span<const Index> bubbles, const AbortCheck& aborted);
+  void relax_around(std::span<const Bubble> bubbles, const AbortCheck& aborted);
+  bool relax_patch(std::span<const Bubble> bubbles, const AbortCheck& aborted);
   void move_on();
   void relax_whole(double tolerance, const AbortCheck& aborted);
   void undo(State state);
@@ -68,11 +69,11 @@ private:
   Foam foam_;
   Motion motion_;
   EventQueue queue_;
-  double now_ = 0;               ///< s from the beginning of the frame
-  Thresholds limit_;             ///< in this frame
-  double smallest_area_ = 0;     ///< of a bubble, in this frame, cm²
-  std::vector<double> patience_; ///< of each bubble: the part of the T2 area that it waits for
-  bool careful_ = false;         ///< relax the whole foam at every event
+  double now_ = 0;                 ///< s from the beginning of the frame
+  Thresholds limit_;               ///< in this frame
+  double smallest_area_ = 0;       ///< of a bubble, in this frame, cm²
+  Field<Bubble, double> patience_; ///< the part of the T2 area that it waits for
+  bool careful_ = false;           ///< relax the whole foam at every event
   int iterations_ = 0;
 };
 

@@ -27,13 +27,13 @@ std::optional<Event> EventQueue::next() {
 }
 
 std::uint32_t& EventQueue::version(const Event& event) {
-  return (event.kind == Event::Kind::Collapse ? bubble_version_
-                                              : film_version_)[Foam::size(event.element)];
+  return event.kind == Event::Kind::Collapse ? bubble_version_[event.bubble]
+                                             : film_version_[event.film];
 }
 
 bool EventQueue::Entry::operator<(const Entry& other) const {
-  return std::tie(event.time, event.kind, event.element) >
-         std::tie(other.event.time, other.event.kind, other.event.element);
+  const auto order = [](const Event& e) { return std::tie(e.time, e.kind, e.bubble, e.film); };
+  return order(event) > order(other.event);
 }
 
 } // namespace foam

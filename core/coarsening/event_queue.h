@@ -20,7 +20,8 @@ struct Event {
 
   double time = 0; ///< s from the beginning of the frame
   Kind kind = Kind::Collapse;
-  Index element = 0; ///< bubble or film
+  Bubble bubble = kNone; ///< that collapses, or none
+  Film film = kNone;     ///< that closes or is strained, or none
 };
 
 /// The events that lie ahead, the next one first; of two at one instant the one of lower kind, then
@@ -31,8 +32,8 @@ public:
   void clear(const Foam& foam);
   void expect(const Event& event);
   /// What was expected of the bubble, or of the film, will not be.
-  void cancel_bubble(Index bubble) { ++bubble_version_[Foam::size(bubble)]; }
-  void cancel_film(Index film) { ++film_version_[Foam::size(film)]; }
+  void cancel(Bubble bubble) { ++bubble_version_[bubble]; }
+  void cancel(Film film) { ++film_version_[film]; }
   /// Takes out the next event, if there is one.
   std::optional<Event> next();
 
@@ -45,7 +46,8 @@ private:
   std::uint32_t& version(const Event& event);
 
   std::priority_queue<Entry> entries_;
-  std::vector<std::uint32_t> bubble_version_, film_version_;
+  Field<Bubble, std::uint32_t> bubble_version_;
+  Field<Film, std::uint32_t> film_version_;
 };
 
 } // namespace foam

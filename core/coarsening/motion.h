@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "equilibrium/lagrangian_system.h"
+#include "equilibrium/domain.h"
+#include "equilibrium/rates.h"
+#include "equilibrium/step.h"
 #include "mesh/foam.h"
 
 namespace foam {
@@ -15,57 +17,56 @@ namespace foam {
 /// so that an event in one place costs nothing elsewhere.
 class Motion {
 public:
-  /// The whole foam stands at this instant (s); target areas change at the given rates (cm²/s, by
-  /// bubble).
-  void begin(const Foam& foam, std::vector<double> area_rates, double now);
+  /// The whole foam stands at this instant (s); target areas change at the given rates (cm²/s).
+  void begin(const Foam& foam, Field<Bubble, double> area_rates, double now);
   /// The whole foam moves along a response from now on. \param bend whether its rates have changed,
   /// since the last whole response, as much as they will until the motion is finished.
-  void take_whole(const Region& region, const Step& response, bool bend);
+  void take_whole(const Region& region, const newton::StepView& response, bool bend);
   /// A patch moves along a response from now on. \pre it has been brought to now
-  void take_patch(const Region& region, const Step& response);
+  void take_patch(const Region& region, const newton::StepView& response);
   /// Nothing moves, but target areas change.
   void rest();
   /// A target area changes at another rate from now on. \pre it has been brought to now
-  void set_area_rate(Index bubble, double rate) { area_rates_[Foam::size(bubble)] = rate; }
+  void set_area_rate(Bubble bubble, double rate) { area_rates_[bubble] = rate; }
   /// What has become a piece of a container's wall beside the bubble does not move any more.
-  void hold_wall(const Foam& foam, Index bubble);
+  void hold_wall(const Foam& foam, Bubble bubble);
 
   /// Moves bubbles, with all their films and junctions, to an instant (s).
-  void bring(Foam& foam, std::span<const Index> bubbles, double now);
+  void bring(Foam& foam, std::span<const Bubble> bubbles, double now);
   void bring_all(Foam& foam, double now);
   /// The same, to second order where a whole response has held from the beginning.
   void finish(Foam& foam, double now);
 
-  const std::vector<double>& area_rates() const { return area_rates_; }
+  const Field<Bubble, double>& area_rates() const { return area_rates_; }
   Rates rates() const { return {junctions_.rate, angles_.rate, pressures_.rate}; }
   /// What they will be if they go on changing as they did; until the next call.
   Rates expected();
-  double area_rate(Index bubble) const { return area_rates_[Foam::size(bubble)]; }
-  double angle_rate(Index film) const { return angles_.rate[Foam::size(film)]; }
-  Vec2 chord_rate(const Foam& foam, Index film) const;
+  double area_rate(Bubble bubble) const { return area_rates_[bubble]; }
+  double angle_rate(Film film) const { return angles_.rate[film]; }
+  Vec2 chord_rate(const Foam& foam, Film film) const;
 
 private:
-  template <class Value> struct Course {
-    std::vector<Value> rate;  ///< per s
-    std::vector<Value> bend;  ///< of the rate in all, per s
-    std::vector<char> steady; ///< the rate is a whole response's
-    std::vector<double> time; ///< where it stands, s
-    std::vector<Value> ahead; ///< the rates expected next
+  template <class Element, class Value> struct Course {
+    Field<Element, Value> rate;  ///< per s
+    Field<Element, Value> bend;  ///< of the rate in all, per s
+    Field<Element, char> steady; ///< the rate is a whole response's
+    Field<Element, double> time; ///< where it stands, s
+    std::vector<Value> ahead;    ///< the rates expected next
 
     void begin(std::size_t count, double now);
-    void take_whole(Index i, const Value& rate, bool bend);
-    void take_patch(Index i, const Value& rate);
+    void take_whole(Element e, const Value& rate, bool bend);
+    void take_patch(Element e, const Value& rate);
     void rest();
-    void bring(Value& value, std::size_t i, double now);
+    void bring(Field<Element, Value>& values, Element e, double now);
     std::span<const Value> expected();
   };
-  void bring_bubble(Foam& foam, Index bubble, double now);
+  void bring_bubble(Foam& foam, Bubble bubble, double now);
 
-  Course<Vec2> junctions_;         ///< cm
-  Course<double> angles_;          ///< rad
-  Course<double> pressures_;       ///< N/cm²
-  std::vector<double> area_rates_; ///< of the targets, cm²/s
-  double begin_ = 0;               ///< s
+  Course<Junction, Vec2> junctions_; ///< cm
+  Course<Film, double> angles_;      ///< rad
+  Course<Bubble, double> pressures_; ///< N/cm²
+  Field<Bubble, double> area_rates_; ///< of the targets, cm²/s
+  double begin_ = 0;                 ///< s
 };
 
 } // namespace foam

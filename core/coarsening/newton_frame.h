@@ -19,7 +19,7 @@
 #include "coarsening/frame_result.h"
 #include "coarsening/newton_rules.h"
 #include "coarsening/options.h"
-#include "equilibrium/parallel_newton.h"
+#include "equilibrium/machine_newton.h"
 #include "parallel/flags.h"
 #include "topology/collapse_bids.h"
 
@@ -30,17 +30,16 @@ namespace detail {
 struct BearableRate {
   NewtonRules rules;
 
-  FOAM_HOST_DEVICE double operator()(Index bubble) const {
+  FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
     return bearable(bubble) ? rules.rate(bubble) : 0;
   }
-  FOAM_HOST_DEVICE bool evens_out(Index bubble) const {
-    return bearable(bubble) &&
-           (mesh().boundary == Boundary::Periodic || rules.rate.evens_out(bubble));
+  FOAM_HOST_DEVICE bool evens_out(Bubble bubble) const {
+    return bearable(bubble) && (mesh().surroundings.periodic() || rules.rate.evens_out(bubble));
   }
 
 private:
-  FOAM_HOST_DEVICE const FoamView& mesh() const { return rules.rate.mesh; }
-  FOAM_HOST_DEVICE bool bearable(Index bubble) const {
+  FOAM_HOST_DEVICE const ConstFoamView& mesh() const { return rules.rate.mesh; }
+  FOAM_HOST_DEVICE bool bearable(Bubble bubble) const {
     return mesh().target_area[bubble] >= rules.needed(bubble);
   }
 };
@@ -49,8 +48,8 @@ private:
 struct StepsOf {
   NewtonRules rules;
 
-  FOAM_HOST_DEVICE double operator()(Index bubble) const {
-    const FoamView& mesh = rules.rate.mesh;
+  FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
+    const ConstFoamView& mesh = rules.rate.mesh;
     return mesh.has_bubble(bubble) ? rules.needed(bubble) / std::max(mesh.target_area[bubble],
                                                                      rules.end_area(mesh, bubble))
                                    : 0;
@@ -60,8 +59,8 @@ struct StepsOf {
 struct Vanishes {
   NewtonRules rules;
 
-  FOAM_HOST_DEVICE bool operator()(Index bubble) const {
-    const FoamView& mesh = rules.rate.mesh;
+  FOAM_HOST_DEVICE bool operator()(Bubble bubble) const {
+    const ConstFoamView& mesh = rules.rate.mesh;
     return mesh.has_bubble(bubble) && rules.vanishes(mesh, bubble);
   }
 };
@@ -70,7 +69,7 @@ struct Vanishes {
 
 template <class Machine> class NewtonFrame {
 public:
-  /// \param direct see ParallelNewton.
+  /// \param direct see newton::KrylovSolver.
   NewtonFrame(Machine& machine, const CoarseningOptions& options,
               std::unique_ptr<DirectSolver> direct = nullptr)
       : machine_(machine), options_(options), bidding_(machine),
@@ -94,7 +93,7 @@ private:
   FrameResult try_to_advance(const FoamView& mesh, bool careful, const AbortCheck& aborted) {
     NewtonRules rules = rules_of(mesh, careful);
     const double needed =
-        machine_.reduce(mesh.bubbles, 0.0, detail::StepsOf{rules}, parallel::Larger{});
+        machine_.reduce(mesh.bubble_slots(), 0.0, detail::StepsOf{rules}, parallel::Larger{});
     const double steps = (careful ? kCare : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
     FrameResult result;
@@ -108,8 +107,8 @@ private:
   }
 
   NewtonRules rules_of(const FoamView& mesh, bool careful) {
-    const AreaRate rate = area_rate(mesh, options_.permeability);
-    const BubbleSums sums = sum_bubbles(machine_, mesh, rate);
+    const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
+    const BubbleSums sums = sum_bubbles(machine_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
     Thresholds limit = newton_thresholds(
         thresholds(machine_, mesh, sums.target_area, options_.thresholds), spacing);
@@ -125,17 +124,17 @@ private:
   bool take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
                  FrameResult& result) {
     if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
-      bidding_.run(mesh, SlideBids{rules.two_sided, allowed_.all_set(mesh.bubbles)});
+      bidding_.run(mesh, SlideBids{rules.two_sided, allowed_.all_set(mesh.bubble_slots())});
     }
-    std::uint8_t* const swappable = allowed_.all_set(mesh.films);
-    rules.swappable = swappable;
+    const FieldView<Film, std::uint8_t> swappable = allowed_.all_set(mesh.film_slots());
+    rules.swappable = ConstFieldView<Film, std::uint8_t>(swappable.data());
     result.operations =
         result.operations + bidding_.run(mesh, CollapseBids<NewtonRules>{rules, swappable});
 
     const detail::BearableRate rate{rules};
-    const BubbleSums sums = sum_bubbles(machine_, mesh, rate);
-    if (mesh.boundary == Boundary::Free && sums.bubbles == 2 &&
-        machine_.reduce(mesh.bubbles, false, detail::Vanishes{rules}, parallel::Or{})) {
+    const BubbleSums sums = sum_bubbles(machine_, rules.rate.mesh, rate);
+    if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
+        machine_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
       return false;
     }
     diffuse(machine_, mesh, rate, sums, rules.time_step);
@@ -145,13 +144,13 @@ private:
     result.report = found.report;
     result.report.iterations = iterations;
     result.operations.t1 += found.t1;
-    return found.report.converged || measure_equilibrium(machine_, mesh).possible;
+    return found.report.converged || measure_equilibrium(machine_, const_view(mesh)).possible;
   }
 
   Machine& machine_;
   CoarseningOptions options_;
   Bidding<Machine> bidding_;
-  newton::ParallelNewton<Machine> newton_;
+  newton::MachineNewton<Machine> newton_;
   parallel::Flags<Machine> allowed_;
 };
 

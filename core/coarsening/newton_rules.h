@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "coarsening/parallel_diffusion.h"
+#include "physics/gas.h"
 #include "physics/swap_rule.h"
 #include "physics/thresholds.h"
 #include "topology/local_operations.h"
@@ -34,41 +34,43 @@ struct NewtonRules {
   double remnant_area = 0; ///< at which a bubble with more than three sides loses them, cm²
   AreaRate rate{};         ///< at which gas is lost
   double time_step = 0;    ///< s
-  const std::uint8_t* swappable = nullptr; ///< of a film
+  ConstFieldView<Film, std::uint8_t> swappable{}; ///< of a film: not swapped yet
 
-  FOAM_HOST_DEVICE static double film_size(const FoamView& mesh, Index film) {
-    return mesh.length(2 * film);
+  template <class Mesh> FOAM_HOST_DEVICE static double film_size(const Mesh& mesh, Film film) {
+    return mesh.length(film.half());
   }
-  FOAM_HOST_DEVICE static double bubble_size(const FoamView& mesh, Index bubble) {
+  template <class Mesh>
+  FOAM_HOST_DEVICE static double bubble_size(const Mesh& mesh, Bubble bubble) {
     return mesh.target_area[bubble];
   }
 
   /// Area at which the bubble's end has come, however short the step, cm².
-  FOAM_HOST_DEVICE double end_area(const FoamView& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE double end_area(const Mesh& mesh, Bubble bubble) const {
     return mesh.sides[bubble] <= 3 ? limit.t2_area : remnant_area;
   }
   /// The least gas with which the bubble can go through the step, cm².
-  FOAM_HOST_DEVICE double needed(Index bubble) const {
+  FOAM_HOST_DEVICE double needed(Bubble bubble) const {
     return std::max(-rate(bubble), 0.0) * time_step / kLargestLoss;
   }
-  FOAM_HOST_DEVICE bool vanishes(const FoamView& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool vanishes(const Mesh& mesh, Bubble bubble) const {
     const double area = mesh.target_area[bubble];
     return area <= limit.t2_area || area < needed(bubble);
   }
   /// Whether the film is to be swapped so that a bubble beside it has a side less, or so that a
   /// two-sided one that has slid there has one more.
-  FOAM_HOST_DEVICE bool shrunk(const FoamView& mesh, Index film) const {
-    const Index h = 2 * film;
+  template <class Mesh> FOAM_HOST_DEVICE bool shrunk(const Mesh& mesh, Film film) const {
+    const Half h = film.half();
     return takes_side(mesh, mesh.left(h), film) || takes_side(mesh, mesh.right(h), film) ||
-           ((slid_to(mesh, h) || slid_to(mesh, FoamView::twin(h))) && spares_sides(mesh, film));
+           ((slid_to(mesh, h) || slid_to(mesh, h.twin())) && spares_sides(mesh, film));
   }
-  FOAM_HOST_DEVICE bool slides(const FoamView& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool slides(const Mesh& mesh, Bubble bubble) const {
     return two_sided.slides(mesh, bubble);
   }
 
 private:
-  FOAM_HOST_DEVICE bool takes_side(const FoamView& mesh, Index bubble, Index film) const {
-    if (bubble == kWorld || mesh.sides[bubble] <= 3) {
+  template <class Mesh>
+  FOAM_HOST_DEVICE bool takes_side(const Mesh& mesh, Bubble bubble, Film film) const {
+    if (bubble.is_outside() || mesh.sides[bubble] <= 3) {
       return false;
     }
     const double area = mesh.target_area[bubble];
@@ -78,11 +80,11 @@ private:
 
   /// The shortest film by which the bubble can lose a side; one whose other bubble cannot well
   /// spare one only if there is no other.
-  FOAM_HOST_DEVICE Index film_to_swap(const FoamView& mesh, Index bubble) const {
-    Index best = kNone;
+  template <class Mesh> FOAM_HOST_DEVICE Film film_to_swap(const Mesh& mesh, Bubble bubble) const {
+    Film best = kNone;
     bool best_spares = false;
-    for_each_half(mesh, bubble, [&](Index h) {
-      const Index film = FoamView::film_of(h);
+    for_each_half(mesh, bubble, [&](Half h) {
+      const Film film = h.film();
       if (swappable[film] && can_perform_t1(mesh, film)) {
         const bool spares = spares_sides(mesh, film);
         const bool shorter = best == kNone || film_size(mesh, film) < film_size(mesh, best);
@@ -96,9 +98,9 @@ private:
   }
 
   /// Whether a two-sided bubble has slid to the corner at the end of h.
-  FOAM_HOST_DEVICE bool slid_to(const FoamView& mesh, Index h) const {
-    const Index bubble = mesh.left(mesh.next_around_junction(h));
-    return bubble != kWorld && mesh.sides[bubble] == 2 && slides(mesh, bubble) &&
+  template <class Mesh> FOAM_HOST_DEVICE bool slid_to(const Mesh& mesh, Half h) const {
+    const Bubble bubble = mesh.left(mesh.next_around_junction(h));
+    return !bubble.is_outside() && mesh.sides[bubble] == 2 && slides(mesh, bubble) &&
            mesh.length(h) <= limit.t1_length;
   }
 };

@@ -2,6 +2,7 @@
 #include "construct/dual_mesh.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <tuple>
 #include <vector>
@@ -11,10 +12,10 @@ namespace {
 
 /// A triangle's edge from one of its corners to the next, and the half-film that leaves through it.
 struct Crossing {
-  Index from, to; ///< points, in the order that both triangles at the edge agree on
-  Wrap wrap;      ///< between them
-  bool backward;  ///< whether the triangle walks from `to` to `from`
-  Index triangle;
+  Bubble from, to; ///< points, in the order that both triangles at the edge agree on
+  Wrap wrap;       ///< between them
+  bool backward;   ///< whether the triangle walks from `to` to `from`
+  Junction triangle;
   std::size_t opposite; ///< corner
 
   auto edge() const { return std::tuple(from, to, wrap.x, wrap.y); }
@@ -24,8 +25,8 @@ struct Crossing {
   }
 };
 
-Crossing crossing(std::span<const Triangle> triangles, Index triangle, std::size_t opposite) {
-  const Triangle& t = triangles[Foam::size(triangle)];
+Crossing crossing(std::span<const Triangle> triangles, Junction triangle, std::size_t opposite) {
+  const Triangle& t = triangles[triangle.place()];
   const Corner& from = t[(opposite + 1) % 3];
   const Corner& to = t[(opposite + 2) % 3];
   const Wrap wrap = to.copy - from.copy;
@@ -39,9 +40,9 @@ Crossing crossing(std::span<const Triangle> triangles, Index triangle, std::size
 std::vector<Crossing> crossings(std::span<const Triangle> triangles) {
   std::vector<Crossing> result;
   result.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
+  for (const Junction t : Slots<Junction>(static_cast<Index>(triangles.size()))) {
     for (std::size_t k = 0; k < 3; ++k) {
-      result.push_back(crossing(triangles, static_cast<Index>(t), k));
+      result.push_back(crossing(triangles, t, k));
     }
   }
   std::sort(result.begin(), result.end());
@@ -66,26 +67,26 @@ Vec2 incentre(const Face& face) {
 Foam dual_mesh(std::span<const Triangle> triangles, std::size_t points) {
   const auto edges = crossings(triangles);
   Foam foam;
-  foam.resize(static_cast<Index>(points), static_cast<Index>(edges.size() / 2),
-              static_cast<Index>(triangles.size()));
+  foam.clear(static_cast<Index>(points), static_cast<Index>(edges.size() / 2),
+             static_cast<Index>(triangles.size()));
   std::iota(foam.bubble_id.begin(), foam.bubble_id.end(), std::int64_t{0});
-  for (std::size_t i = edges.size(); i-- > 0;) {
-    const auto h = static_cast<Index>(i);
-    const Crossing& edge = edges[i];
+  for (const Half h : foam.half_slots()) {
+    const Crossing& edge = edges[h.place()];
     // Whoever leaves a counter-clockwise triangle through an edge has its far end on the left.
-    const Index left = edge.backward ? edge.from : edge.to;
-    foam.half_junction[i] = edge.triangle;
-    foam.half_bubble[i] = left;
-    foam.junction_half[Foam::size(edge.triangle)][edge.opposite] = h;
-    if (left != kWorld) {
-      foam.bubble_half[Foam::size(left)] = h;
-      ++foam.sides[Foam::size(left)];
+    const Bubble left = edge.backward ? edge.from : edge.to;
+    foam.half_junction[h] = edge.triangle;
+    foam.half_bubble[h] = left;
+    foam.junction_half[edge.triangle][edge.opposite] = h;
+    if (!left.is_outside()) {
+      if (!foam.has_bubble(left)) {
+        foam.bubble_half[left] = h;
+      }
+      ++foam.sides[left];
     }
     if (!edge.backward) {
-      const Crossing& across = edges[i + 1];
-      foam.film_wrap[i / 2] =
-          triangles[Foam::size(edge.triangle)][(edge.opposite + 1) % 3].copy -
-          triangles[Foam::size(across.triangle)][(across.opposite + 2) % 3].copy;
+      const Crossing& across = edges[h.twin().place()];
+      foam.film_wrap[h.film()] = triangles[edge.triangle.place()][(edge.opposite + 1) % 3].copy -
+                                 triangles[across.triangle.place()][(across.opposite + 2) % 3].copy;
     }
   }
   for (auto& halves : foam.junction_half) {
@@ -97,25 +98,27 @@ Foam dual_mesh(std::span<const Triangle> triangles, std::size_t points) {
 void place_junctions(Foam& foam, std::span<const Face> faces) {
   std::transform(faces.begin(), faces.end(), foam.position.begin(), barycentre);
   std::vector<bool> moved(faces.size(), false);
-  std::vector<Index> pending(foam.bubble_half.size());
-  std::iota(pending.begin(), pending.end(), Index{0});
+  std::vector<Bubble> pending;
+  for (const Bubble b : foam.bubble_slots()) {
+    pending.push_back(b);
+  }
   while (!pending.empty()) {
-    std::vector<Index> affected;
-    const auto move = [&](Index j) {
-      if (moved[Foam::size(j)]) {
+    std::vector<Bubble> affected;
+    const auto move = [&](Junction j) {
+      if (moved[j.place()]) {
         return;
       }
-      moved[Foam::size(j)] = true;
-      foam.position[Foam::size(j)] = incentre(faces[Foam::size(j)]);
-      for (const Index h : foam.junction_half[Foam::size(j)]) {
-        if (foam.left(h) != kWorld) {
+      moved[j.place()] = true;
+      foam.position[j] = incentre(faces[j.place()]);
+      for (const Half h : foam.junction_half[j]) {
+        if (!foam.left(h).is_outside()) {
           affected.push_back(foam.left(h));
         }
       }
     };
-    for (const Index b : pending) {
+    for (const Bubble b : pending) {
       if (!(foam.area(b) > 0)) {
-        for_each_half(foam, b, [&](Index h) { move(foam.start(h)); });
+        for_each_half(foam, b, [&](Half h) { move(foam.start(h)); });
       }
     }
     pending = std::move(affected);

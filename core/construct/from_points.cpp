@@ -97,71 +97,68 @@ void check_not_on_a_line(std::span<const Vec2> points) {
   }
 }
 
-Box bounds(std::span<const Vec2> points) {
-  Box box{points[0].x, points[0].x, points[0].y, points[0].y};
-  for (const Vec2 p : points) {
-    box = {std::min(box.xmin, p.x), std::max(box.xmax, p.x), std::min(box.ymin, p.y),
-           std::max(box.ymax, p.y)};
-  }
-  return box;
-}
-
 /// The points' bounds grown by half a mean spacing m on every side, where m² is the area that the
-/// grown box has per point: (N − 1)·m² − (w + h)·m − w·h = 0. A square grid gets its own period.
-Box default_box(std::span<const Vec2> points) {
-  const Box box = bounds(points);
+/// grown rectangle has per point: (N − 1)·m² − (w + h)·m − w·h = 0. A square grid gets its own
+/// period.
+Lattice default_torus(std::span<const Vec2> points) {
+  const auto [left, right] = std::ranges::minmax(points | std::views::transform(&Vec2::x));
+  const auto [bottom, top] = std::ranges::minmax(points | std::views::transform(&Vec2::y));
   const double others = static_cast<double>(points.size() - 1);
-  const double sum = box.width() + box.height();
-  const double product = box.width() * box.height();
+  const double width = right - left;
+  const double height = top - bottom;
+  const double sum = width + height;
+  const double product = width * height;
   const double half_spacing = (sum + std::sqrt(sum * sum + 4 * others * product)) / (4 * others);
-  return {box.xmin - half_spacing, box.xmax + half_spacing, box.ymin - half_spacing,
-          box.ymax + half_spacing};
+  return Lattice::rectangle(left - half_spacing, right + half_spacing, bottom - half_spacing,
+                            top + half_spacing);
 }
 
-void check_box(const Box& box) {
-  if (!positive(box.width()) || !positive(box.height())) {
-    throw FoamError("the periodic bounds enclose no area: " + number(box.xmin) + " " +
-                    number(box.xmax) + " " + number(box.ymin) + " " + number(box.ymax));
+void check_torus(const Lattice& torus) {
+  const auto& [origin, first, second] = torus;
+  const std::string periods = "the periods " + number(first) + " and " + number(second);
+  const double area = torus.area();
+  if (area == 0 || !std::isfinite(area + origin.x + origin.y)) {
+    throw FoamError(periods + " at " + number(origin) + " enclose no area");
+  }
+  if (area < 0) {
+    throw FoamError(periods + " are clockwise");
   }
   constexpr double kMostSlender = 1e6; // for the digits that are left across
-  const double aspect = std::max(box.width() / box.height(), box.height() / box.width());
+  const double aspect = std::max(dot(first, first), dot(second, second)) / area;
   if (aspect > kMostSlender) {
-    throw FoamError("the periodic bounds are " + number(aspect) + " times longer than wide");
+    throw FoamError(periods + " enclose a cell " + number(aspect) + " times longer than wide");
   }
 }
 
-Vec2 place(const Corner& corner, const TorusPoints& points, const Box& box) {
-  const Vec2 p = points.position[Foam::size(corner.point)];
-  return {p.x + corner.copy.x * box.width(), p.y + corner.copy.y * box.height()};
+Vec2 place(const Corner& corner, const TorusPoints& points, const Lattice& torus) {
+  return points.position[corner.point] + torus.period(corner.copy);
 }
 
-/// Takes the copy of a triangle whose barycentre is in the box.
-void move_into_box(Triangle& t, const TorusPoints& points, const Box& box) {
-  const Vec2 b =
-      (1.0 / 3) * (place(t[0], points, box) + place(t[1], points, box) + place(t[2], points, box));
-  const Wrap out{static_cast<Index>(std::floor((b.x - box.xmin) / box.width())),
-                 static_cast<Index>(std::floor((b.y - box.ymin) / box.height()))};
+/// Takes the copy of a triangle whose barycentre is in the cell.
+void move_into_cell(Triangle& t, const TorusPoints& points, const Lattice& torus) {
+  const Vec2 barycentre = (1.0 / 3) * (place(t[0], points, torus) + place(t[1], points, torus) +
+                                       place(t[2], points, torus));
+  const Wrap out = torus.cell_of(barycentre);
   for (Corner& corner : t) {
     corner.copy = corner.copy - out;
   }
 }
 
-Foam build_on_torus(std::span<const Vec2> points, const std::optional<Box>& periodic_box) {
-  const Box box = periodic_box ? *periodic_box : default_box(points);
-  check_box(box);
-  const TorusPoints sites = torus_points(points, box);
+Foam build_on_torus(std::span<const Vec2> points, const Lattice& torus) {
+  check_torus(torus);
+  const TorusPoints sites = torus_points(points, torus);
   check_distinct(sites.snapped, points);
   check_not_on_a_line(points);
   auto triangles = triangulate_torus(sites);
 
   std::vector<Face> faces;
   for (Triangle& t : triangles) {
-    move_into_box(t, sites, box);
-    faces.push_back({place(t[0], sites, box), place(t[1], sites, box), place(t[2], sites, box)});
+    move_into_cell(t, sites, torus);
+    faces.push_back(
+        {place(t[0], sites, torus), place(t[1], sites, torus), place(t[2], sites, torus)});
   }
   Foam foam = dual_mesh(triangles, points.size());
-  foam.boundary = Boundary::Periodic;
-  foam.box = box;
+  foam.surround({Boundary::Periodic, torus});
   place_junctions(foam, faces);
   return foam;
 }
@@ -169,22 +166,22 @@ Foam build_on_torus(std::span<const Vec2> points, const std::optional<Box>& peri
 double covered_area(std::span<const Vec2> points, std::span<const Triangle> triangles) {
   double area = 0;
   for (const auto& [a, b, c] : triangles) {
-    if (a.point != kWorld) {
-      const Vec2 p = points[Foam::size(a.point)];
-      area += 0.5 * cross(points[Foam::size(b.point)] - p, points[Foam::size(c.point)] - p);
+    if (!a.point.is_outside()) {
+      const Vec2 p = points[a.point.place()];
+      area += 0.5 * cross(points[b.point.place()] - p, points[c.point.place()] - p);
     }
   }
   return area;
 }
 
-/// The tip of a fin (thesis 4.5.3, x_free) on the edge from q to r, which has the world on its
+/// The tip of a fin (thesis 4.5.3, x_free) on the edge from q to r, which has the outside on its
 /// left. A fin longer than its edge is wide would run into its neighbours.
 Vec2 fin_tip(Vec2 q, Vec2 r, double size) {
   const double edge = norm(r - q);
   return 0.5 * (q + r) + (std::min(size, 1.5 * edge) / edge) * left_normal(r - q);
 }
 
-Foam build_on_plane(std::span<const Vec2> points, double fin_size) {
+Foam build_on_plane(std::span<const Vec2> points, Boundary boundary, double fin_size) {
   check_distinct(points, points);
   check_not_on_a_line(points);
   const auto triangles = triangulate_plane(points);
@@ -194,17 +191,18 @@ Foam build_on_plane(std::span<const Vec2> points, double fin_size) {
 
   std::vector<Face> faces;
   for (const auto& [a, b, c] : triangles) {
-    const Vec2 q = points[Foam::size(b.point)];
-    const Vec2 r = points[Foam::size(c.point)];
-    faces.push_back({a.point == kWorld ? fin_tip(q, r, fin) : points[Foam::size(a.point)], q, r});
+    const Vec2 q = points[b.point.place()];
+    const Vec2 r = points[c.point.place()];
+    faces.push_back({a.point.is_outside() ? fin_tip(q, r, fin) : points[a.point.place()], q, r});
   }
   Foam foam = dual_mesh(triangles, points.size());
+  foam.surround({boundary, {}});
   place_junctions(foam, faces);
   return foam;
 }
 
 /// Given areas, scaled to fill the space to the last digit.
-std::vector<double> fitted(std::vector<double> areas, double space, const std::string& name) {
+Field<Bubble, double> fitted(Field<Bubble, double> areas, double space, const std::string& name) {
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   if (!(std::abs(sum - space) <= 1e-6 * space)) {
     throw FoamError("the target areas add up to " + number(sum) + ", but the area of the " + name +
@@ -216,33 +214,35 @@ std::vector<double> fitted(std::vector<double> areas, double space, const std::s
   return areas;
 }
 
-std::vector<double> target_areas(const Foam& foam, const BuildOptions& options) {
-  std::vector<double> initial(foam.bubble_half.size());
-  for (std::size_t i = 0; i < initial.size(); ++i) {
-    initial[i] = foam.area(static_cast<Index>(i));
-    if (!positive(initial[i])) {
-      throw FoamError("the initial area of bubble " + to_string(i) + " is " + number(initial[i]));
+Field<Bubble, double> target_areas(const Foam& foam, const BuildOptions& options) {
+  Field<Bubble, double> initial(foam.bubble_half.size());
+  for (const Bubble b : foam.bubble_slots()) {
+    initial[b] = foam.area(b);
+    if (!positive(initial[b])) {
+      throw FoamError("the initial area of bubble " + to_string(b.index()) + " is " +
+                      number(initial[b]));
     }
   }
   const double total = std::accumulate(initial.begin(), initial.end(), 0.0);
+  const Field<Bubble, double> given(options.target_area_array.begin(),
+                                    options.target_area_array.end());
   switch (options.target_areas) {
   case TargetAreas::Initial:
     return initial;
   case TargetAreas::Uniform:
-    return std::vector<double>(initial.size(), total / static_cast<double>(initial.size()));
+    return Field<Bubble, double>(initial.size(), total / static_cast<double>(initial.size()));
   case TargetAreas::Array:
     break;
   }
   switch (options.boundary) {
   case Boundary::Periodic:
-    return fitted(options.target_area_array, foam.box.width() * foam.box.height(),
-                  "periodic bounds");
+    return fitted(given, foam.surroundings.lattice.area(), "torus");
   case Boundary::Fixed:
-    return fitted(options.target_area_array, total, "container");
+    return fitted(given, total, "container");
   case Boundary::Free:
     break;
   }
-  return options.target_area_array;
+  return given;
 }
 
 } // namespace
@@ -250,9 +250,9 @@ std::vector<double> target_areas(const Foam& foam, const BuildOptions& options) 
 Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options) {
   check_points(points);
   check_options(options, points.size());
-  Foam foam = options.boundary == Boundary::Periodic ? build_on_torus(points, options.periodic_box)
-                                                     : build_on_plane(points, options.fin_size);
-  foam.boundary = options.boundary;
+  Foam foam = options.boundary == Boundary::Periodic
+                  ? build_on_torus(points, options.torus ? *options.torus : default_torus(points))
+                  : build_on_plane(points, options.boundary, options.fin_size);
   foam.surface_tension = options.surface_tension;
   foam.target_area = target_areas(foam, options);
   return foam;

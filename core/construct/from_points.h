@@ -19,8 +19,8 @@ enum class TargetAreas {
 struct BuildOptions {
   Boundary boundary = Boundary::Free;
   /// The torus (cm); without one, the points' bounds grown by half a mean spacing on every side,
-  /// with the mean spacing √(area per point) of the box so grown.
-  std::optional<Box> periodic_box;
+  /// with the mean spacing √(area per point) of the rectangle so grown.
+  std::optional<Lattice> torus;
   TargetAreas target_areas = TargetAreas::Initial;
   /// cm², one per point, > 0; on a torus and in a container they must add up to its area.
   std::vector<double> target_area_array;
@@ -34,14 +34,15 @@ struct BuildOptions {
 /// The initial foam of a set of points: one bubble per point, with the point's index as its id, one
 /// junction per Delaunay triangle at its barycentre, one film per Delaunay edge, straight,
 /// pressures 0 (thesis 4.5.3). For a free or fixed boundary each edge of the triangulation's
-/// outline has a junction on the world, at the barycentre of the thesis's fin. The outline is the
+/// outline has a junction on the outside, at the barycentre of the thesis's fin. The outline is the
 /// points' hull, less the flat triangles on it that see their outer edge under more than 132°: they
 /// would make bubbles many spacings long. Every bubble has a positive area: where barycentres do
 /// not achieve that, incentres take their place. Not in equilibrium yet.
 ///
-/// A function of the points and options alone. Points outside of a torus's box are wrapped into it.
+/// A function of the points and options alone. Points outside of a torus's cell are wrapped into
+/// it.
 /// \param points cm, at least 3, finite, distinct (on a torus modulo its periods), not all on a
-/// line (but on a torus they may be). \throws FoamError naming the cause and the offending value.
+/// line. \throws FoamError naming the cause and the offending value.
 Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options);
 
 } // namespace foam

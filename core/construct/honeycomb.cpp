@@ -45,8 +45,9 @@ public:
   explicit Honeycomb(const HoneycombOptions& options)
       : columns_(options.columns), rows_(options.rows), distance_(std::sqrt(2 / std::sqrt(3.0))),
         random_(options.seed) {
-    set_.boundary = Boundary::Periodic;
-    set_.box = {0, columns_ * distance_, 0, rows_ * distance_ * std::sqrt(0.75)};
+    set_.surroundings = {
+        Boundary::Periodic,
+        Lattice::rectangle(0, columns_ * distance_, 0, rows_ * distance_ * std::sqrt(0.75))};
     set_.surface_tension = options.surface_tension;
     for (Index row = 0; row < rows_; ++row) {
       for (Index column = 0; column < columns_; ++column) {
@@ -105,12 +106,12 @@ private:
 
 /// Swaps films at random where bubbles keep five to seven sides.
 void swap_at_random(Foam& foam, double share, Random random) {
-  const auto sides = [&](Index b) { return foam.sides[Foam::size(b)]; };
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    const Index h = 2 * f;
+  const auto sides = [&](Bubble b) { return foam.sides[b]; };
+  for (const Film f : foam.film_slots()) {
+    const Half h = f.half();
     const bool spare = sides(foam.left(h)) > 5 && sides(foam.right(h)) > 5 &&
                        sides(foam.left(foam.next_around_junction(h))) < 7 &&
-                       sides(foam.left(foam.next_around_junction(h + 1))) < 7;
+                       sides(foam.left(foam.next_around_junction(h.twin()))) < 7;
     if (random.uniform() < share && spare && can_perform_t1(foam, f)) {
       perform_t1(foam, f);
     }
@@ -124,8 +125,8 @@ Foam honeycomb(const HoneycombOptions& options) {
   check(options);
   Foam foam = foam_of(Honeycomb(options).films());
   swap_at_random(foam, options.swaps, Random(~options.seed));
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    foam.target_area[Foam::size(b)] = foam.area(b);
+  for (const Bubble b : foam.bubble_slots()) {
+    foam.target_area[b] = foam.area(b);
   }
   return foam;
 }

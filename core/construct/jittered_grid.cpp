@@ -27,13 +27,13 @@ std::vector<Vec2> jittered_grid(Index count, double spacing, double jitter, std:
   check(count, spacing, jitter);
   const auto columns = static_cast<Index>(std::ceil(std::sqrt(count)));
   Random random(seed);
-  std::vector<Vec2> points(Foam::size(count));
+  std::vector<Vec2> points(place_of(count));
   for (Index i = 0; i < count; ++i) {
     const double in_cell_x = 0.5 + jitter * (random.uniform() - 0.5);
     const double in_cell_y = 0.5 + jitter * (random.uniform() - 0.5);
     const Index column = i % columns;
     const Index row = i / columns;
-    points[Foam::size(i)] = {spacing * (column + in_cell_x), spacing * (row + in_cell_y)};
+    points[place_of(i)] = {spacing * (column + in_cell_x), spacing * (row + in_cell_y)};
   }
   return points;
 }

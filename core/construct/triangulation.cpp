@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "construct/triangulation.h"
+
 #include "base/error.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 
 namespace foam {
@@ -18,7 +20,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Corner, Kernel>;
-/// Whether a face is outside: the world's.
+/// Whether a face lies outside.
 using Face = CGAL::Triangulation_face_base_with_info_2<bool, Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, Structure>;
@@ -32,7 +34,7 @@ bool less(const Triangle& s, const Triangle& t) {
   return key(s) < key(t);
 }
 
-/// The triangle that begins with corner k and lies where that is in the box.
+/// The triangle that begins with corner k and lies where that is in the cell.
 Triangle seen_from(const Triangle& t, std::size_t k) {
   Triangle seen{t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
   for (Corner& corner : seen) {
@@ -60,7 +62,7 @@ Triangle corners(Delaunay::Face_handle face) {
 ///
 /// A jittered grid's hull has edges many spacings long, behind them slivers. A triangle on the
 /// outline that sees its outer edge under an angle whose cosine is below kFlat is given to the
-/// world, the flattest first, as long as no bubble is pinched off.
+/// outside, the flattest first, as long as no bubble is pinched off.
 class Outline {
 public:
   Outline(Delaunay& delaunay, std::size_t points) : delaunay_(delaunay), on_outline_(points) {
@@ -96,7 +98,7 @@ private:
   static constexpr double kFlat = -2.0 / 3;
 
   static std::size_t point(Delaunay::Face_handle face, int k) {
-    return Foam::size(face->vertex(k)->info().point);
+    return face->vertex(k)->info().point.place();
   }
 
   static Vec2 position(Delaunay::Face_handle face, int k) {
@@ -130,19 +132,22 @@ class Periodic {
 public:
   explicit Periodic(const TorusPoints& points) : points_(points) {}
 
-  /// The points in the box and those copies that lie within `rim` of it.
+  /// The points in the cell and those copies that lie within `rim` of it.
   std::vector<Site> sites(double rim) const {
-    const auto periods = [&](double length) { return static_cast<Index>(std::ceil(rim / length)); };
-    const Index nx = periods(points_.snapped_period.x);
-    const Index ny = periods(points_.snapped_period.y);
+    const Lattice& lattice = points_.snapped_lattice;
+    // In coordinates, of which one counts a cell's height.
+    const Vec2 pad{rim * norm(lattice.second) / lattice.area(),
+                   rim * norm(lattice.first) / lattice.area()};
+    const auto nx = static_cast<Index>(std::ceil(pad.x));
+    const auto ny = static_cast<Index>(std::ceil(pad.y));
     std::vector<Site> result;
     for (Index y = -ny; y <= ny; ++y) {
       for (Index x = -nx; x <= nx; ++x) {
-        for (std::size_t i = 0; i < points_.snapped.size(); ++i) {
-          const Corner corner{static_cast<Index>(i), {x, y}};
+        for (const Bubble b : Slots<Bubble>(static_cast<Index>(points_.snapped.size()))) {
+          const Corner corner{b, {x, y}};
           const Vec2 p = place(corner);
-          if (within(p.x, points_.snapped_period.x, rim) &&
-              within(p.y, points_.snapped_period.y, rim)) {
+          const Vec2 c = lattice.coordinates(p);
+          if (within(c.x, pad.x) && within(c.y, pad.y)) {
             result.emplace_back(Kernel::Point_2(p.x, p.y), corner);
           }
         }
@@ -172,16 +177,20 @@ public:
     return triangles;
   }
 
-  /// No circle without a point of a rectangular lattice in it is wider than the box's diagonal.
-  double widest_circle() const { return std::ceil(norm(points_.snapped_period)); }
+  /// No circle without a point of a lattice in it is wider than the longer diagonal of the cell of
+  /// its shortest periods; in a rectangle it may be as wide. A hundredth more, for rounding.
+  double widest_circle() const {
+    const auto& [origin, first, second] = points_.snapped_lattice;
+    return 1.01 * std::max(norm(first + second), norm(first - second));
+  }
 
 private:
-  static bool within(double x, double length, double rim) { return x >= -rim && x <= length + rim; }
+  static bool within(double coordinate, double pad) {
+    return coordinate >= -pad && coordinate <= 1 + pad;
+  }
 
   Vec2 place(const Corner& corner) const {
-    const Vec2 p = points_.snapped[Foam::size(corner.point)];
-    return {p.x + corner.copy.x * points_.snapped_period.x,
-            p.y + corner.copy.y * points_.snapped_period.y};
+    return points_.snapped[corner.point] + points_.snapped_lattice.period(corner.copy);
   }
 
   double circumdiameter(const Triangle& t) const {
@@ -193,13 +202,26 @@ private:
   const TorusPoints& points_;
 };
 
+/// The cell of a lattice at 0 in which a place at most one cell away lies, without rounding.
+Wrap exact_cell_of(Vec2 place, const Lattice& lattice) {
+  const auto left_of = [&](Vec2 from, Vec2 along) {
+    const auto point = [](Vec2 p) { return Kernel::Point_2(p.x, p.y); };
+    return CGAL::left_turn(point(from), point(from + along), point(place));
+  };
+  const auto& [origin, first, second] = lattice;
+  const auto cell = [](bool before, bool after) { return before ? -1 : (after ? 1 : 0); };
+  return {cell(left_of(origin, second), !left_of(first, second)),
+          cell(left_of(first, -first), !left_of(second + first, -first))};
+}
+
 } // namespace
 
 std::vector<Triangle> triangulate_plane(std::span<const Vec2> points) {
   std::vector<Site> sites;
   sites.reserve(points.size());
   for (const Vec2 p : points) {
-    sites.emplace_back(Kernel::Point_2(p.x, p.y), Corner{static_cast<Index>(sites.size()), {}});
+    const Bubble b(static_cast<Index>(sites.size()));
+    sites.emplace_back(Kernel::Point_2(p.x, p.y), Corner{b, {}});
   }
   Delaunay delaunay(sites.begin(), sites.end());
   std::vector<Triangle> triangles;
@@ -223,25 +245,27 @@ std::vector<Triangle> triangulate_plane(std::span<const Vec2> points) {
   return triangles;
 }
 
-TorusPoints torus_points(std::span<const Vec2> points, const Box& box) {
-  const Vec2 period{box.width(), box.height()};
-  const double unit = std::ldexp(1.0, std::ilogb(std::max(period.x, period.y)) - 47);
+TorusPoints torus_points(std::span<const Vec2> points, const Lattice& lattice) {
   TorusPoints result;
-  result.snapped_period = {std::round(period.x / unit), std::round(period.y / unit)};
-  const auto move_in = [&](double& x, double from, double length, double snapped_length) {
-    x -= std::floor((x - from) / length) * length;
-    const double snapped = std::round((x - from) / unit);
-    if (snapped < snapped_length) {
-      return snapped;
+  result.reduced = reduced(lattice);
+  const Lattice& cell = result.reduced.lattice;
+  const double longest = std::max({std::abs(cell.first.x), std::abs(cell.first.y),
+                                   std::abs(cell.second.x), std::abs(cell.second.y)});
+  const double unit = std::ldexp(1.0, std::ilogb(longest) - 47);
+  const auto snap = [&](Vec2 v) { return Vec2{std::round(v.x / unit), std::round(v.y / unit)}; };
+  result.snapped_lattice = {{}, snap(cell.first), snap(cell.second)};
+  for (const Vec2 point : points) {
+    constexpr double kFarthest = 1e9; // periods: a Wrap counts few more
+    const Vec2 away = cell.coordinates(point);
+    if (!(std::max(std::abs(away.x), std::abs(away.y)) < kFarthest)) {
+      throw FoamError("point " + std::to_string(result.position.size()) + " at " + number(point) +
+                      " lies too many periods from the torus's cell");
     }
-    x -= length;
-    return 0.0;
-  };
-  for (Vec2 p : points) {
-    const double x = move_in(p.x, box.xmin, period.x, result.snapped_period.x);
-    const double y = move_in(p.y, box.ymin, period.y, result.snapped_period.y);
-    result.position.push_back(p);
-    result.snapped.push_back({x, y});
+    const Vec2 position = point - cell.period(cell.cell_of(point));
+    const Vec2 snapped = snap(position - cell.origin);
+    const Wrap beyond = exact_cell_of(snapped, result.snapped_lattice); // by rounding
+    result.position.push_back(position - cell.period(beyond));
+    result.snapped.push_back(snapped - result.snapped_lattice.period(beyond));
   }
   return result;
 }
@@ -249,10 +273,15 @@ TorusPoints torus_points(std::span<const Vec2> points, const Box& box) {
 std::vector<Triangle> triangulate_torus(const TorusPoints& points) {
   const Periodic periodic(points);
   const double count = static_cast<double>(points.snapped.size());
-  const double spacing = std::sqrt(points.snapped_period.x * points.snapped_period.y / count);
+  const double spacing = std::sqrt(points.snapped_lattice.area() / count);
   const double enough = periodic.widest_circle();
   for (double rim = std::min(5 * spacing, enough);; rim = std::min(2 * rim, enough)) {
     if (auto triangles = periodic.triangulate(rim)) {
+      for (Triangle& t : *triangles) {
+        for (Corner& corner : t) {
+          corner.copy = points.reduced.original(corner.copy);
+        }
+      }
       std::sort(triangles->begin(), triangles->end(), less);
       return *std::move(triangles);
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The matrix of whole_foam_system.h entry by entry, for those who factorise it.
+// The matrix of matrix_free.h entry by entry, for those who factorise it.
 #pragma once
 
 #include "algebra/direct_solver.h"
-#include "equilibrium/gauges.h"
-#include "equilibrium/whole_foam_system.h"
+#include "equilibrium/matrix_free.h"
+#include "equilibrium/zero_modes.h"
 
 namespace foam::newton {
 namespace detail {
@@ -41,15 +41,15 @@ struct GrowingRow {
 
 /// How many entries a row may get, one index a junction, for its two rows, then one a bubble.
 struct BoundRows {
-  FoamView mesh;
+  ConstFoamView mesh;
   Index* bound = nullptr; ///< by row
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     if (i < mesh.junctions) {
       const Index x = 2 * i;
-      bound[x] = bound[x + 1] = moves(mesh, i) ? 8 : 1; // it and three others
+      bound[x] = bound[x + 1] = mesh.moves(Junction(i)) ? 8 : 1; // it and three others
     } else {
-      const Index bubble = i - mesh.junctions;
+      const Bubble bubble(i - mesh.junctions);
       bound[mesh.junctions + i] =
           mesh.has_bubble(bubble) ? 3 * mesh.sides[bubble] + 1 : 1; // junctions, neighbours, it
     }
@@ -66,9 +66,9 @@ struct ListRows {
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     if (i < matrix.mesh.junctions) {
-      list_junction(i);
+      list_junction(Junction(i));
     } else {
-      list_bubble(i - matrix.mesh.junctions);
+      list_bubble(Bubble(i - matrix.mesh.junctions));
     }
   }
 
@@ -77,20 +77,20 @@ private:
     return {row, column + begin[row], value + begin[row]};
   }
 
-  FOAM_HOST_DEVICE void list_junction(Index junction) const {
-    const FoamView& mesh = matrix.mesh;
-    const Index own = 2 * junction;
+  FOAM_HOST_DEVICE void list_junction(Junction junction) const {
+    const ConstFoamView& mesh = matrix.mesh;
+    const Index own = 2 * junction.index();
     GrowingRow x = row_of(own);
     GrowingRow y = row_of(own + 1);
-    const double diagonal = moves(mesh, junction) ? kRegularisation : 1;
+    const double diagonal = mesh.moves(junction) ? kRegularisation : 1;
     x.add(own, diagonal);
     y.add(own + 1, diagonal);
-    if (moves(mesh, junction)) {
-      for (const Index h : mesh.junction_half[FoamView::size(junction)]) {
-        const FilmStiffness& f = matrix.film[FoamView::film_of(h)];
+    if (mesh.moves(junction)) {
+      for (const Half h : mesh.junction_half[junction]) {
+        const FilmStiffness& f = matrix.film[h.film()];
         add_block(x, y, own, f, 1, 0);
-        if (moves(mesh, mesh.end(h))) {
-          add_block(x, y, 2 * mesh.end(h), f, -1, h & 1 ? -f.jump : f.jump);
+        if (mesh.moves(mesh.end(h))) {
+          add_block(x, y, 2 * mesh.end(h).index(), f, -1, h.reversed() ? -f.jump : f.jump);
         }
       }
     }
@@ -107,29 +107,30 @@ private:
     y.add(at + 1, sign * f.yy);
   }
 
-  FOAM_HOST_DEVICE void list_bubble(Index bubble) const {
-    const FoamView& mesh = matrix.mesh;
+  FOAM_HOST_DEVICE void list_bubble(Bubble bubble) const {
+    const ConstFoamView& mesh = matrix.mesh;
     const Index first = 2 * mesh.junctions;
-    GrowingRow row = row_of(first + bubble);
-    row.add(first + bubble, mesh.has_bubble(bubble) ? -kRegularisation : 1);
+    const Index own = first + bubble.index();
+    GrowingRow row = row_of(own);
+    row.add(own, mesh.has_bubble(bubble) ? -kRegularisation : 1);
     if (mesh.has_bubble(bubble)) {
-      for_each_half(mesh, bubble, [&](Index h) {
-        const FilmStiffness& f = matrix.film[FoamView::film_of(h)];
+      for_each_half(mesh, bubble, [&](Half h) {
+        const FilmStiffness& f = matrix.film[h.film()];
         add_slope(row, mesh.start(h), f.start_slope(h));
         add_slope(row, mesh.end(h), f.end_slope(h));
-        row.add(first + bubble, -f.compliance);
-        if (mesh.right(h) != kWorld) {
-          row.add(first + mesh.right(h), f.compliance);
+        row.add(own, -f.compliance);
+        if (!mesh.right(h).is_outside()) {
+          row.add(first + mesh.right(h).index(), f.compliance);
         }
       });
     }
-    length[first + bubble] = row.length;
+    length[own] = row.length;
   }
 
-  FOAM_HOST_DEVICE void add_slope(GrowingRow& row, Index junction, Vec2 slope) const {
-    if (moves(matrix.mesh, junction)) {
-      row.add(2 * junction, -slope.x);
-      row.add(2 * junction + 1, -slope.y);
+  FOAM_HOST_DEVICE void add_slope(GrowingRow& row, Junction junction, Vec2 slope) const {
+    if (matrix.mesh.moves(junction)) {
+      row.add(2 * junction.index(), -slope.x);
+      row.add(2 * junction.index() + 1, -slope.y);
     }
   }
 };
@@ -162,7 +163,7 @@ public:
 
   /// \returns what stays as it is until the next call, or as long as this is there.
   LowerTriangle assemble(const WholeFoamMatrix& matrix) {
-    const FoamView& mesh = matrix.mesh;
+    const ConstFoamView& mesh = matrix.mesh;
     const Index size = size_of(mesh);
     const Index elements = mesh.junctions + mesh.bubbles;
     for (auto* array : {&begin_, &first_}) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "physics/step_limits.h"
 #include "physics/swap_rule.h"
 #include "topology/operations.h"
 
@@ -18,7 +19,6 @@ constexpr int kSweepsBetweenSwaps = 3;
 constexpr int kSweepsBetweenPressures = 5;
 constexpr double kStiffness = 16;       // bulk modulus of a bubble's gas, in units of T/√A^τ
 constexpr double kEmptiest = 0.05;      // A/A^τ below which the gas gets no harder
-constexpr double kLargestMove = 0.3;    // of a junction's shortest film
 constexpr double kSmallestLength = 0.1; // of a film, of the T1 length
 constexpr double kLargestAngle = std::numbers::pi / 3;
 constexpr double kAtRest =
@@ -27,23 +27,23 @@ constexpr double kAtRest =
 class Relaxation {
 public:
   Relaxation(Foam& foam, double smallest_length)
-      : foam_(foam), tension_(2 * foam.surface_tension), area_(foam.pressure.size()),
+      : foam_(foam), tension_(foam.reference_tension()), area_(foam.pressure.size()),
         smallest_length_(smallest_length) {}
 
   void measure_areas() {
-    for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    for (const Bubble b : foam_.bubble_slots()) {
       if (foam_.has_bubble(b)) {
-        area_[Foam::size(b)] = foam_.area(b);
+        area_[b] = foam_.area(b);
       }
     }
   }
 
   /// Method of multipliers: the gas at its target area takes over a part of the pressure.
   void update_pressures() {
-    for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    for (const Bubble b : foam_.bubble_slots()) {
       if (foam_.has_bubble(b)) {
-        const double x = area_[Foam::size(b)] / foam_.target_area[Foam::size(b)];
-        foam_.pressure[Foam::size(b)] += bulk_modulus(b) * (1 - std::clamp(x, 0.0, 2.0));
+        const double x = area_[b] / foam_.target_area[b];
+        foam_.pressure[b] += bulk_modulus(b) * (1 - std::clamp(x, 0.0, 2.0));
       }
     }
   }
@@ -51,13 +51,13 @@ public:
   /// \returns the largest move of a junction, relative to its shortest film.
   double sweep() {
     double largest = 0;
-    for (Index j = 0; j < foam_.junction_capacity(); ++j) {
-      if (foam_.has_junction(j) && !foam_.pinned(j)) {
+    for (const Junction j : foam_.junction_slots()) {
+      if (foam_.moves(j)) {
         largest = std::max(largest, move(j));
       }
     }
-    for (Index f = 0; f < foam_.film_capacity(); ++f) {
-      if (foam_.has_film(f) && !foam_.wall(2 * f)) {
+    for (const Film f : foam_.film_slots()) {
+      if (foam_.bends(f)) {
         bend(f);
       }
     }
@@ -66,38 +66,36 @@ public:
 
 private:
   /// A/A^τ, kept away from 0.
-  double filling(Index b) const {
-    return std::max(area_[Foam::size(b)] / foam_.target_area[Foam::size(b)], kEmptiest);
+  double filling(Bubble b) const { return std::max(area_[b] / foam_.target_area[b], kEmptiest); }
+
+  double bulk_modulus(Bubble b) const {
+    return kStiffness * tension_ / std::sqrt(foam_.target_area[b]);
   }
 
-  double bulk_modulus(Index b) const {
-    return kStiffness * tension_ / std::sqrt(foam_.target_area[Foam::size(b)]);
-  }
-
-  double pressure(Index b) const {
-    if (b == kWorld) {
-      return 0;
+  double pressure(Bubble b) const {
+    if (b.is_outside()) {
+      return foam_.pressure_of(b);
     }
     const double x = filling(b);
-    return foam_.pressure[Foam::size(b)] + bulk_modulus(b) * (x < 1 ? 1 / x - 1 : 1 - x);
+    return foam_.pressure[b] + bulk_modulus(b) * (x < 1 ? 1 / x - 1 : 1 - x);
   }
 
   /// −dp/dA
-  double stiffness(Index b) const {
-    if (b == kWorld) {
+  double stiffness(Bubble b) const {
+    if (b.is_outside()) {
       return 0;
     }
     const double x = filling(b);
-    return bulk_modulus(b) / foam_.target_area[Foam::size(b)] * (x < 1 ? 1 / (x * x) : 1);
+    return bulk_modulus(b) / foam_.target_area[b] * (x < 1 ? 1 / (x * x) : 1);
   }
 
   /// One step of Newton's method in the position. The matrix is that of the stretched films and of
   /// the gas, without what could make it indefinite.
-  double move(Index junction) {
-    const auto& halves = foam_.junction_half[Foam::size(junction)];
+  double move(Junction junction) {
+    const auto& halves = foam_.junction_half[junction];
     std::array<Vec2, 3> chord;
-    std::array<double, 3> bulge{}; // segment area over d², on the left bubble's account
-    std::array<Index, 3> bubble{}; // left of halves[k]: between it and the next
+    std::array<double, 3> bulge{};  // segment area over d², on the left bubble's account
+    std::array<Bubble, 3> bubble{}; // left of halves[k]: between it and the next
     Vec2 force;
     double stretch = 0;
     double shortest = std::numeric_limits<double>::infinity();
@@ -105,17 +103,15 @@ private:
       chord[k] = foam_.chord(halves[k]);
       bubble[k] = foam_.left(halves[k]);
       const ArcShape shape = arc_shape(foam_.half_angle(halves[k]));
+      const double tension = foam_.tension(halves[k].film());
       bulge[k] = shape.g;
       const double d = norm(chord[k]);
       shortest = std::min(shortest, d);
-      force += (tension_ * shape.f / d) * chord[k];
-      stretch += tension_ * shape.f / d;
+      force += (tension * shape.f / d) * chord[k];
+      stretch += tension * shape.f / d;
     }
     std::array<double, 3> matrix{stretch, 0, stretch}; // xx, xy, yy
     for (std::size_t k = 0; k < 3; ++k) {
-      if (bubble[k] == kWorld) {
-        continue;
-      }
       const Vec2 slope = area_slope(chord, bulge, k);
       force += pressure(bubble[k]) * slope;
       const double hardness = stiffness(bubble[k]);
@@ -137,15 +133,15 @@ private:
     if (length > kLargestMove * shortest) {
       step = (kLargestMove * shortest / length) * step;
     }
-    foam_.position[Foam::size(junction)] += step;
+    foam_.position[junction] += step;
     std::array<double, 3> bulge_change{}; // of the segments' areas
     for (std::size_t k = 0; k < 3; ++k) {
       bulge_change[k] = bulge[k] * dot(step, step - 2 * chord[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      if (bubble[k] != kWorld) {
-        area_[Foam::size(bubble[k])] +=
+      if (!bubble[k].is_outside()) {
+        area_[bubble[k]] +=
             0.5 * cross(step, chord[k] - chord[next]) + bulge_change[k] - bulge_change[next];
       }
     }
@@ -153,23 +149,24 @@ private:
   }
 
   /// One step of Newton's method in the half-angle.
-  void bend(Index film) {
-    double& alpha = foam_.film_angle[Foam::size(film)];
-    const Index left = foam_.left(2 * film);
-    const Index right = foam_.right(2 * film);
-    const double d = norm(foam_.chord(2 * film));
+  void bend(Film film) {
+    double& alpha = foam_.film_angle[film];
+    const Bubble left = foam_.left(film.half());
+    const Bubble right = foam_.right(film.half());
+    const double tension = foam_.tension(film);
+    const double d = norm(foam_.chord(film.half()));
     const ArcShape shape = arc_shape(alpha);
     const double area_slope = d * d * shape.g1;
-    const double torque = (pressure(left) - pressure(right)) * area_slope - tension_ * d * shape.f1;
+    const double torque = (pressure(left) - pressure(right)) * area_slope - tension * d * shape.f1;
     const double curvature =
-        tension_ * d / 3 + (stiffness(left) + stiffness(right)) * area_slope * area_slope;
+        tension * d / 3 + (stiffness(left) + stiffness(right)) * area_slope * area_slope;
     const double bent = std::clamp(alpha + torque / curvature, -kLargestAngle, kLargestAngle);
     const double gain = d * d * (arc_shape(bent).g - shape.g);
-    if (left != kWorld) {
-      area_[Foam::size(left)] += gain;
+    if (!left.is_outside()) {
+      area_[left] += gain;
     }
-    if (right != kWorld) {
-      area_[Foam::size(right)] -= gain;
+    if (!right.is_outside()) {
+      area_[right] -= gain;
     }
     alpha = bent;
   }
@@ -184,14 +181,14 @@ private:
   }
 
   Foam& foam_;
-  double tension_;
-  std::vector<double> area_;
+  double tension_; ///< that forces are measured in
+  Field<Bubble, double> area_;
   double smallest_length_;
 };
 
 void swap_short_films(Foam& foam, double t1_length) {
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    if (foam.has_film(f) && foam.length(2 * f) <= t1_length && spares_sides(foam, f) &&
+  for (const Film f : foam.film_slots()) {
+    if (foam.has_film(f) && foam.length(f.half()) <= t1_length && spares_sides(foam, f) &&
         can_perform_t1(foam, f) && pulled_shut(foam, f)) {
       perform_t1(foam, f);
     }

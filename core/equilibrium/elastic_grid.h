@@ -11,9 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "equilibrium/displacements.h"
-#include "geometry/vec2.h"
-#include "mesh/elements.h"
+#include "equilibrium/matrix_free.h"
 
 namespace foam::newton {
 
@@ -39,18 +37,18 @@ struct Symmetric2 {
   }
 };
 
-/// A rectangle of square-like cells, on a torus or not. Lengths in units of the bubbles' spacing.
+/// A parallelogram of cells, on a torus or not. Lengths in units of the bubbles' spacing.
 struct Grid {
   Index columns = 1, rows = 1; ///< of cells
   bool wraps = false;
-  Vec2 origin; ///< the lower left corner
-  Vec2 cell;   ///< width and height of a cell
+  Vec2 origin;        ///< the corner of the first cell
+  Vec2 across, along; ///< the sides of a cell, counter-clockwise
 
   FOAM_HOST_DEVICE Index cells() const { return columns * rows; }
   FOAM_HOST_DEVICE Index nodes_across() const { return wraps ? columns : columns + 1; }
   FOAM_HOST_DEVICE Index nodes_along() const { return wraps ? rows : rows + 1; }
   FOAM_HOST_DEVICE Index nodes() const { return nodes_across() * nodes_along(); }
-  /// Corner k of a cell: 0 lower left, 1 lower right, 2 upper left, 3 upper right.
+  /// Corner k of a cell: 0 at its origin, 1 across from it, 2 along from it, 3 opposite.
   FOAM_HOST_DEVICE Index node(Index cell_number, int corner) const {
     const Index i = (cell_number % columns + (corner & 1)) % nodes_across();
     const Index j = (cell_number / columns + (corner >> 1)) % nodes_along();
@@ -67,15 +65,15 @@ struct Grid {
     return i < 0 || i >= columns || j < 0 || j >= rows ? kNone : i + columns * j;
   }
 
-  /// Into one with at least two cells along x and y: the only move of a torus with one node is a
+  /// Into one with at least two cells either way: the only move of a torus with one node is a
   /// translation, which meets no resistance.
   bool can_be_coarsened() const {
     return columns % 2 == 0 && rows % 2 == 0 && std::min(columns, rows) >= 4;
   }
-  Grid coarsened() const { return {columns / 2, rows / 2, wraps, origin, 2 * cell}; }
+  Grid coarsened() const { return {columns / 2, rows / 2, wraps, origin, 2 * across, 2 * along}; }
 };
 
-/// A place in a grid: its cell, and where in it, from 0 to 1 along x and y.
+/// A place in a grid: its cell, and where in it, from 0 to 1 across and along.
 struct GridPlace {
   Index cell = 0;
   Vec2 at;
@@ -85,26 +83,30 @@ struct GridPlace {
     return ((corner & 1) ? at.x : 1 - at.x) * ((corner >> 1) ? at.y : 1 - at.y);
   }
   /// Its gradient.
-  FOAM_HOST_DEVICE Vec2 gradient(int corner, Vec2 size) const {
+  FOAM_HOST_DEVICE Vec2 gradient(int corner, const Grid& grid) const {
     const double wx = (corner & 1) ? at.x : 1 - at.x;
     const double wy = (corner >> 1) ? at.y : 1 - at.y;
-    return {((corner & 1) ? wy : -wy) / size.x, ((corner >> 1) ? wx : -wx) / size.y};
+    const double by_across = (corner & 1) ? wy : -wy;
+    const double by_along = (corner >> 1) ? wx : -wx;
+    const double area = cross(grid.across, grid.along);
+    return {(by_across * grid.along.y - by_along * grid.across.y) / area,
+            (by_along * grid.across.x - by_across * grid.along.x) / area};
   }
 };
 
 FOAM_HOST_DEVICE inline GridPlace place_in(const Grid& grid, Vec2 position) {
-  const double x = (position.x - grid.origin.x) / grid.cell.x;
-  const double y = (position.y - grid.origin.y) / grid.cell.y;
-  const auto locate = [&](double along, Index count, double& rest) {
-    const double whole = std::floor(along);
-    rest = along - whole;
+  const Vec2 r = position - grid.origin;
+  const double area = cross(grid.across, grid.along);
+  const auto locate = [&](double way, Index count, double& rest) {
+    const double whole = std::floor(way);
+    rest = way - whole;
     const double lap = std::floor(whole / count);
     return std::clamp(static_cast<Index>(whole - (grid.wraps ? lap * count : 0)), Index{0},
                       count - 1);
   };
   GridPlace place;
-  const Index i = locate(x, grid.columns, place.at.x);
-  const Index j = locate(y, grid.rows, place.at.y);
+  const Index i = locate(cross(r, grid.along) / area, grid.columns, place.at.x);
+  const Index j = locate(cross(grid.across, r) / area, grid.rows, place.at.y);
   place.cell = i + grid.columns * j;
   return place;
 }
@@ -114,25 +116,19 @@ struct Element {
   std::array<std::array<double, 8>, 8> k{};
 };
 
-/// What corner k of a cell has to do with a functional that is linear in the gradient of the
-/// displacement, Σ_ik c_ik ∂u_i/∂x_k: its factors of the corner's x and y.
-/// \param row_x c_xx, c_xy; \param row_y c_yx, c_yy.
-FOAM_HOST_DEVICE inline Vec2 share_of_corner(const GridPlace& place, Vec2 size, int corner,
-                                             Vec2 row_x, Vec2 row_y) {
-  const Vec2 gradient = place.gradient(corner, size);
-  return {dot(row_x, gradient), dot(row_y, gradient)};
-}
-
 /// The rows of an element's matrix that belong to one of its corners.
 struct ElementRows {
   std::array<std::array<double, 8>, 2> k{};
 
-  /// Adds weight·(functional)².
-  FOAM_HOST_DEVICE void add_square(const GridPlace& place, Vec2 size, int corner, Vec2 row_x,
+  /// Adds weight·(Σ_ik c_ik ∂u_i/∂x_k)², the square of a functional that is linear in the gradient
+  /// of the displacement. \param row_x c_xx, c_xy; \param row_y c_yx, c_yy.
+  FOAM_HOST_DEVICE void add_square(const GridPlace& place, const Grid& grid, int corner, Vec2 row_x,
                                    Vec2 row_y, double weight) {
-    const Vec2 own = weight * share_of_corner(place, size, corner, row_x, row_y);
+    const Vec2 slope = place.gradient(corner, grid);
+    const Vec2 own{weight * dot(row_x, slope), weight * dot(row_y, slope)};
     for (int other = 0; other < 4; ++other) {
-      const Vec2 value = share_of_corner(place, size, other, row_x, row_y);
+      const Vec2 gradient = place.gradient(other, grid);
+      const Vec2 value{dot(row_x, gradient), dot(row_y, gradient)};
       const auto o = 2 * static_cast<std::size_t>(other);
       k[0][o] += own.x * value.x;
       k[0][o + 1] += own.x * value.y;
@@ -150,6 +146,8 @@ struct ElementRows {
 
 /// The matrix of a grid: its elements, gathered by nodes.
 struct GridMatrix {
+  using Place = Index; ///< of a row: a node
+
   Grid grid;
   const Element* element = nullptr;
 
@@ -193,45 +191,50 @@ FOAM_HOST_DEVICE inline GridPlace corner_in_parent(Index parent, int child, int 
   return {parent, {0.5 * ((child & 1) + (corner & 1)), 0.5 * ((child >> 1) + (corner >> 1))}};
 }
 
-/// The elements of the grid that is coarser by one; one index for every pair of an element's
-/// corners.
-struct CoarsenElement {
-  Grid fine, coarse;
-  const Element* from = nullptr;
-  Element* to = nullptr;
-
-  FOAM_HOST_DEVICE static Index size(const Grid& coarse) { return 16 * coarse.cells(); }
-
-  FOAM_HOST_DEVICE void operator()(Index i) const {
-    const Index cell = i / 16;
-    const int row = (i / 4) % 4;
-    const int column = i % 4;
-    double xx = 0, xy = 0, yx = 0, yy = 0;
-    for (int child = 0; child < 4; ++child) {
-      const Index x = 2 * (cell % coarse.columns) + (child & 1);
-      const Index y = 2 * (cell / coarse.columns) + (child >> 1);
-      const auto& k = from[x + fine.columns * y].k;
-      for (int a = 0; a < 4; ++a) {
-        for (int b = 0; b < 4; ++b) {
-          const double weight = corner_in_parent(cell, child, a).weight(row) *
-                                corner_in_parent(cell, child, b).weight(column);
-          const auto r = 2 * static_cast<std::size_t>(a);
-          const auto c = 2 * static_cast<std::size_t>(b);
-          xx += weight * k[r][c];
-          xy += weight * k[r][c + 1];
-          yx += weight * k[r + 1][c];
-          yy += weight * k[r + 1][c + 1];
-        }
+/// What an element of the coarser grid has for corners `row` and `column`: x and y of either.
+FOAM_HOST_DEVICE inline std::array<double, 4> coarse_entry(const Grid& fine, const Grid& coarse,
+                                                           const Element* from, Index cell, int row,
+                                                           int column) {
+  std::array<double, 4> sum{}; // xx, xy, yx, yy
+  for (int child = 0; child < 4; ++child) {
+    const Index x = 2 * (cell % coarse.columns) + (child & 1);
+    const Index y = 2 * (cell / coarse.columns) + (child >> 1);
+    const auto& k = from[x + fine.columns * y].k;
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < 4; ++b) {
+        const double weight = corner_in_parent(cell, child, a).weight(row) *
+                              corner_in_parent(cell, child, b).weight(column);
+        const auto r = 2 * static_cast<std::size_t>(a);
+        const auto c = 2 * static_cast<std::size_t>(b);
+        sum[0] += weight * k[r][c];
+        sum[1] += weight * k[r][c + 1];
+        sum[2] += weight * k[r + 1][c];
+        sum[3] += weight * k[r + 1][c + 1];
       }
     }
-    const auto r = 2 * static_cast<std::size_t>(row);
-    const auto c = 2 * static_cast<std::size_t>(column);
-    to[cell].k[r][c] = xx;
-    to[cell].k[r][c + 1] = xy;
-    to[cell].k[r + 1][c] = yx;
-    to[cell].k[r + 1][c + 1] = yy;
   }
-};
+  return sum;
+}
+
+/// The elements of the grid that is coarser by one; one index for every pair of an element's
+/// corners.
+template <class Machine>
+void coarsen_elements(Machine& machine, const Grid& fine, const Grid& coarse, const Element* from,
+                      Element* to) {
+  machine.for_each(
+      16 * coarse.cells(), FOAM_KERNEL(Index i) {
+        const int row = (i / 4) % 4;
+        const int column = i % 4;
+        const auto entry = coarse_entry(fine, coarse, from, i / 16, row, column);
+        auto& k = to[i / 16].k;
+        const auto r = 2 * static_cast<std::size_t>(row);
+        const auto c = 2 * static_cast<std::size_t>(column);
+        k[r][c] = entry[0];
+        k[r][c + 1] = entry[1];
+        k[r + 1][c] = entry[2];
+        k[r + 1][c + 1] = entry[3];
+      });
+}
 
 /// Where a node lies in the grid that is coarser by one.
 FOAM_HOST_DEVICE inline GridPlace place_of_node(const Grid& fine, const Grid& coarse, Index node) {
@@ -253,44 +256,47 @@ FOAM_HOST_DEVICE inline Vec2 interpolate(const Grid& grid, const double* x,
   return sum;
 }
 
-/// x_fine ← x_fine + what the coarser grid has there.
-struct ProlongateGrid {
-  Grid fine, coarse;
-  const double* from = nullptr;
-  double* x = nullptr;
+/// x ← x + what the coarser grid has there.
+template <class Machine>
+void prolongate(Machine& machine, const Grid& fine, const Grid& coarse, const double* from,
+                double* x) {
+  machine.for_each(
+      fine.nodes(), FOAM_KERNEL(Index node) {
+        const Vec2 v = interpolate(coarse, from, place_of_node(fine, coarse, node));
+        set_displacement(x, node, displacement(x, node) + v);
+      });
+}
 
-  FOAM_HOST_DEVICE void operator()(Index node) const {
-    const Vec2 v = interpolate(coarse, from, place_of_node(fine, coarse, node));
-    set_displacement(x, node, displacement(x, node) + v);
-  }
-};
-
-/// The transpose: a node gathers the residuals of the finer nodes around it.
-struct RestrictGrid {
-  Grid fine, coarse;
-  const double* from = nullptr;
-  double* to = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index node) const {
-    const Index i = 2 * (node % coarse.nodes_across());
-    const Index j = 2 * (node / coarse.nodes_across());
-    Vec2 sum;
-    for (Index dj = -1; dj <= 1; ++dj) {
-      for (Index di = -1; di <= 1; ++di) {
-        Index x = i + di;
-        Index y = j + dj;
-        if (fine.wraps) {
-          x = (x + fine.columns) % fine.columns;
-          y = (y + fine.rows) % fine.rows;
-        }
-        if (x >= 0 && x < fine.nodes_across() && y >= 0 && y < fine.nodes_along()) {
-          const Index n = x + fine.nodes_across() * y;
-          sum += (di == 0 ? 1 : 0.5) * (dj == 0 ? 1 : 0.5) * displacement(from, n);
-        }
+/// What a node of the coarser grid gathers of the finer nodes around it: the transpose of
+/// prolongate().
+FOAM_HOST_DEVICE inline Vec2 gathered(const Grid& fine, const Grid& coarse, const double* from,
+                                      Index node) {
+  const Index i = 2 * (node % coarse.nodes_across());
+  const Index j = 2 * (node / coarse.nodes_across());
+  Vec2 sum;
+  for (Index dj = -1; dj <= 1; ++dj) {
+    for (Index di = -1; di <= 1; ++di) {
+      Index x = i + di;
+      Index y = j + dj;
+      if (fine.wraps) {
+        x = (x + fine.columns) % fine.columns;
+        y = (y + fine.rows) % fine.rows;
+      }
+      if (x >= 0 && x < fine.nodes_across() && y >= 0 && y < fine.nodes_along()) {
+        const Index n = x + fine.nodes_across() * y;
+        sum += (di == 0 ? 1 : 0.5) * (dj == 0 ? 1 : 0.5) * displacement(from, n);
       }
     }
-    set_displacement(to, node, sum);
   }
-};
+  return sum;
+}
+
+template <class Machine>
+void restrict_to(Machine& machine, const Grid& coarse, const Grid& fine, const double* from,
+                 double* to) {
+  machine.for_each(
+      coarse.nodes(),
+      FOAM_KERNEL(Index node) { set_displacement(to, node, gathered(fine, coarse, from, node)); });
+}
 
 } // namespace foam::newton

@@ -26,7 +26,8 @@ public:
   virtual void forget() = 0;
 };
 
-/// Largest deviation from 120° at junctions that may move (rad).
+/// Largest deviation at junctions that may move from the angles that their films' tensions ask for
+/// (rad).
 double max_angle_error(const Foam& foam);
 
 /// Largest |A − A^τ|/A^τ.

@@ -28,14 +28,14 @@ void level(std::span<double> numbers, std::size_t first, std::size_t stride) {
 
 /// Takes out of a load what nothing but the pins of NewtonMatrix would bear: a force on the whole
 /// foam, a gain of a closed container's gas.
-void balance(Boundary boundary, const Unknowns& unknowns, std::span<double> load) {
-  const auto coordinates = Foam::size(unknowns.first_pressure());
-  if (boundary != Boundary::Fixed) {
+void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::span<double> load) {
+  const auto coordinates = place_of(unknowns.first_pressure());
+  if (surroundings.translates()) {
     level(load.first(coordinates), 0, 2);
     level(load.first(coordinates), 1, 2);
   }
-  if (boundary != Boundary::Free) {
-    level(load.subspan(coordinates, Foam::size(unknowns.first_angle()) - coordinates), 0, 1);
+  if (surroundings.closed()) {
+    level(load.subspan(coordinates, place_of(unknowns.first_angle()) - coordinates), 0, 1);
   }
 }
 
@@ -52,10 +52,10 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
   whole_ = region.whole;
   if (whole_) {
     unknowns_ = matrix.unknowns();
-    boundary_ = foam.boundary;
+    surroundings_ = foam.surroundings;
     films_.assign(foam.film_angle.size(), {});
-    for (const Index f : region.films) {
-      films_[Foam::size(f)] = film_of(foam, f);
+    for (const Film f : region.films) {
+      films_[f] = state_of(foam, f);
     }
   }
   return solver_.factorise(matrix.shares(), matrix.diagonal());
@@ -67,7 +67,7 @@ bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMa
     translation_ = translation(region, matrix.unknowns(), unknowns_);
     topology_ = foam.topology;
   }
-  std::vector<Index> bubbles = changed_bubbles(foam, region);
+  std::vector<Bubble> bubbles = changed_bubbles(foam, region);
   if (patch_ && patch_->topology == foam.topology && patch_->bubbles == bubbles) {
     return true;
   }
@@ -75,35 +75,37 @@ bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMa
   return bubbles.empty() || make_patch(foam, region, std::move(bubbles), matrix);
 }
 
-Factorisation::Film Factorisation::film_of(const Foam& foam, Index film) {
-  const Index h = 2 * film;
-  return {
-      {foam.start(h), foam.end(h), foam.left(h), foam.right(h)}, foam.chord(h), foam.half_angle(h)};
+Factorisation::FilmState Factorisation::state_of(const Foam& foam, Film film) {
+  const Half h = film.half();
+  return {{foam.start(h), foam.end(h)},
+          {foam.left(h), foam.right(h)},
+          foam.chord(h),
+          foam.half_angle(h)};
 }
 
-bool Factorisation::changed(const Foam& foam, Index film) const {
-  if (Foam::size(film) >= films_.size()) {
+bool Factorisation::changed(const Foam& foam, Film film) const {
+  if (film.place() >= films_.size()) {
     return true;
   }
-  const Film now = film_of(foam, film);
-  const Film& before = films_[Foam::size(film)];
-  return now.neighbours != before.neighbours ||
+  const FilmState now = state_of(foam, film);
+  const FilmState& before = films_[film];
+  return now.ends != before.ends || now.sides != before.sides ||
          norm(now.chord - before.chord) > kLargestChange * norm(before.chord) ||
          std::abs(now.angle - before.angle) > kLargestChange;
 }
 
-std::vector<Index> Factorisation::changed_bubbles(const Foam& foam, const Region& region) const {
-  std::vector<Index> bubbles;
-  for (const Index f : region.films) {
+std::vector<Bubble> Factorisation::changed_bubbles(const Foam& foam, const Region& region) const {
+  std::vector<Bubble> bubbles;
+  for (const Film f : region.films) {
     if (changed(foam, f)) {
-      bubbles.insert(bubbles.end(), {foam.left(2 * f), foam.right(2 * f)});
+      bubbles.insert(bubbles.end(), {foam.left(f.half()), foam.right(f.half())});
     }
   }
   return bubbles;
 }
 
 /// \returns false if the patch is too large or singular.
-bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vector<Index> bubbles,
+bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vector<Bubble> bubbles,
                                const NewtonMatrix& matrix) {
   const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
   const Region around = patch(foam, bubbles, kPatchRings);
@@ -115,7 +117,7 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vect
   made.topology = foam.topology;
   made.bubbles = std::move(bubbles);
   std::vector<char> keep_angle;
-  for (const Index f : around.films) {
+  for (const Film f : around.films) {
     keep_angle.push_back(keeps_angle(f) ? 1 : 0);
     made.columns.push_back(matrix.unknowns().of_film(foam, f));
   }
@@ -135,7 +137,7 @@ void Factorisation::solve(std::span<double> rhs) {
   std::vector<double> rest;
   if (patch_) {
     for (const Index u : patch_->rows) {
-      rest.push_back(rhs[Foam::size(u)]);
+      rest.push_back(rhs[place_of(u)]);
     }
   }
   solve_as_before(rhs);
@@ -143,7 +145,7 @@ void Factorisation::solve(std::span<double> rhs) {
     patch_->matrix.subtract_product(rhs, patch_->columns, patch_->rows, rest);
     patch_->solver.solve(rest);
     for (std::size_t u = 0; u < rest.size(); ++u) {
-      rhs[Foam::size(patch_->rows[u])] += rest[u];
+      rhs[place_of(patch_->rows[u])] += rest[u];
     }
   }
 }
@@ -153,21 +155,21 @@ void Factorisation::solve(std::span<double> rhs) {
 void Factorisation::solve_as_before(std::span<double> rhs) {
   if (translation_.empty()) {
     if (whole_) {
-      balance(boundary_, unknowns_, rhs);
+      balance(surroundings_, unknowns_, rhs);
     }
     solver_.solve(rhs);
     return;
   }
-  std::vector<double> old(Foam::size(unknowns_.count()), 0.0);
+  std::vector<double> old(place_of(unknowns_.count()), 0.0);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
     if (translation_[u] != kNone) {
-      old[Foam::size(translation_[u])] = rhs[u];
+      old[place_of(translation_[u])] = rhs[u];
     }
   }
-  balance(boundary_, unknowns_, old);
+  balance(surroundings_, unknowns_, old);
   solver_.solve(old);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
-    rhs[u] = translation_[u] == kNone ? 0 : old[Foam::size(translation_[u])];
+    rhs[u] = translation_[u] == kNone ? 0 : old[place_of(translation_[u])];
   }
 }
 

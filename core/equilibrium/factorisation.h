@@ -31,7 +31,7 @@ public:
   /// \returns false if too much has changed.
   bool adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// Whether the film's half-angle was an unknown.
-  bool keeps_angle(Index film) const { return unknowns_.angle(film) != kNone; }
+  bool keeps_angle(Film film) const { return unknowns_.angle(film) != kNone; }
 
   /// Replaces the right-hand side by the solution, which is approximate after adapt().
   void solve(std::span<double> rhs);
@@ -39,31 +39,32 @@ public:
 private:
   void solve_as_before(std::span<double> rhs);
   /// What a film was when the matrix was factorised.
-  struct Film {
-    std::array<Index, 4> neighbours{}; ///< start, end, left, right
+  struct FilmState {
+    std::array<Junction, 2> ends; ///< start, end
+    std::array<Bubble, 2> sides;  ///< left, right
     Vec2 chord;
     double angle = 0;
   };
   /// Around the films that have changed.
   struct Patch {
     std::uint64_t topology = 0;
-    std::vector<Index> bubbles; ///< at those films
+    std::vector<Bubble> bubbles; ///< at those films
     NewtonMatrix matrix;
     MultifrontalSolver solver;
     std::vector<Index> rows;                   ///< its unknowns' numbers in the whole matrix
     std::vector<std::array<Index, 7>> columns; ///< its films' unknowns' numbers there
   };
-  static Film film_of(const Foam& foam, Index film);
-  bool changed(const Foam& foam, Index film) const;
-  std::vector<Index> changed_bubbles(const Foam& foam, const Region& region) const;
-  bool make_patch(const Foam& foam, const Region& region, std::vector<Index> bubbles,
+  static FilmState state_of(const Foam& foam, Film film);
+  bool changed(const Foam& foam, Film film) const;
+  std::vector<Bubble> changed_bubbles(const Foam& foam, const Region& region) const;
+  bool make_patch(const Foam& foam, const Region& region, std::vector<Bubble> bubbles,
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;
   bool whole_ = false;
-  Boundary boundary_ = Boundary::Free;
+  Surroundings surroundings_;
   Unknowns unknowns_;
-  std::vector<Film> films_;        ///< by film
+  Field<Film, FilmState> films_;
   std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for
   std::vector<Index> translation_; ///< to unknowns_; empty while the topology is the same
   std::unique_ptr<Patch> patch_;   ///< nothing while no film has changed

@@ -9,24 +9,23 @@
 namespace foam {
 namespace {
 
-/// The largest of error(i) for all i in [0, count), and 0.
-template <class Error> double largest(Index count, const Error& error) {
-  std::vector<double> errors(Foam::size(count) + 1);
-  Host().for_each(count, [&](Index i) { errors[Foam::size(i)] = error(i); });
+/// The largest of error(e) for all elements e, and 0.
+template <class Element, class Error> double largest(Slots<Element> slots, const Error& error) {
+  std::vector<double> errors(place_of(slots.size()) + 1);
+  Host().for_each(slots, [&](Element e) { errors[e.place()] = error(e); });
   return std::ranges::max(errors);
 }
 
 } // namespace
 
 double max_angle_error(const Foam& foam) {
-  return largest(foam.junction_capacity(), [&](Index j) {
-    return foam.has_junction(j) && !foam.pinned(j) ? angle_error(foam, j) : 0;
-  });
+  return largest(foam.junction_slots(),
+                 [&](Junction j) { return foam.moves(j) ? angle_error(foam, j) : 0; });
 }
 
 double max_area_error(const Foam& foam) {
-  return largest(foam.bubble_capacity(),
-                 [&](Index b) { return foam.has_bubble(b) ? area_error(foam, b) : 0; });
+  return largest(foam.bubble_slots(),
+                 [&](Bubble b) { return foam.has_bubble(b) ? area_error(foam, b) : 0; });
 }
 
 } // namespace foam

@@ -72,23 +72,23 @@ std::vector<Place> places_of(const Foam& foam, const Region& region, const Unkno
                              int levels) {
   std::vector<Point> points;
   points.reserve(region.junctions.size());
-  for (const Index j : region.junctions) {
-    points.push_back({foam.position[Foam::size(j)], Foam::size(unknowns.junction(j))});
+  for (const Junction j : region.junctions) {
+    points.push_back({foam.position[j], place_of(unknowns.junction(j))});
   }
-  std::vector<Place> leaf(Foam::size(unknowns.count()), kNowhere);
+  std::vector<Place> leaf(place_of(unknowns.count()), kNowhere);
   halve(points, kRoot, levels, leaf);
 
   std::vector<Place> places = leaf;
   const auto at = [](std::vector<Place>& where, Index unknown) {
-    return unknown == kNone ? kNowhere : where[Foam::size(unknown)];
+    return unknown == kNone ? kNowhere : where[place_of(unknown)];
   };
   const auto raise = [&](Index unknown, Place place) {
     if (unknown != kNone) {
-      places[Foam::size(unknown)] = place;
+      places[place_of(unknown)] = place;
     }
   };
   std::vector<std::array<Index, 7>> films;
-  for (const Index f : region.films) {
+  for (const Film f : region.films) {
     const auto& [a, a_y, b, b_y, left, right, angle] =
         films.emplace_back(unknowns.of_film(foam, f));
     const Place cut = common(at(leaf, a), at(leaf, b));
@@ -144,7 +144,7 @@ EliminationTree nested_dissection(const Foam& foam, const Region& region,
   std::vector<Index> count(std::size_t{2} << node_levels, 0); // of unknowns, by node's place
   for (const auto& [key, u] : keys) {
     tree.order.push_back(u);
-    const Place place = places[Foam::size(u)];
+    const Place place = places[place_of(u)];
     ++count[place >> std::max(level(place) - node_levels, 0)];
   }
   std::vector<Place> nodes;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/number.h"
-#include "equilibrium/gauges.h"
+#include "equilibrium/zero_modes.h"
 #include "parallel/host.h"
 
 namespace foam {
@@ -18,29 +18,19 @@ constexpr std::size_t kAngleRow = kAngle * (kAngle + 1) / 2; // in a lower trian
 constexpr double kKeepBelow = 0.2;   // angles that are kept from the start
 constexpr double kEliminateTo = 0.1; // an eliminated one must not fall below this
 
-FilmLagrangian lagrangian_of(const Foam& foam, Index film) {
-  const double q = foam.pressure_of(foam.left(2 * film)) - foam.pressure_of(foam.right(2 * film));
-  return film_lagrangian(foam.chord(2 * film), foam.half_angle(2 * film), q,
-                         2 * foam.surface_tension);
+FilmLagrangian lagrangian_of(const Foam& foam, Film film) {
+  const Half h = film.half();
+  return film_lagrangian(foam.chord(h), foam.half_angle(h), foam.pressure_difference(h),
+                         foam.tension(film));
 }
 
-double stiffness(const Foam& foam, Index film) {
-  return 2 * foam.surface_tension * norm(foam.chord(2 * film));
-}
-
-/// Calls f(row, column, place) for a film's lower triangle.
-template <class F> void for_each_entry(const F& f) {
-  std::size_t k = 0;
-  for (std::size_t row = 0; row < 7; ++row) {
-    for (std::size_t column = 0; column <= row; ++column, ++k) {
-      f(row, column, k);
-    }
-  }
+double stiffness(const Foam& foam, Film film) {
+  return foam.tension(film) * norm(foam.chord(film.half()));
 }
 
 } // namespace
 
-bool NewtonMatrix::angle_is_delicate(const Foam& foam, Index film) {
+bool NewtonMatrix::angle_is_delicate(const Foam& foam, Film film) {
   return lagrangian_of(foam, film).hessian[kAngle][kAngle] < kKeepBelow * stiffness(foam, film);
 }
 
@@ -57,7 +47,7 @@ std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& 
                                                 double shift) {
   std::vector<char> safe(films_.size());
   Host().for_each(static_cast<Index>(films_.size()), [&](Index i) {
-    safe[Foam::size(i)] = assemble_film(foam, region, Foam::size(i), shift) ? 1 : 0;
+    safe[place_of(i)] = assemble_film(foam, region, place_of(i), shift) ? 1 : 0;
   });
   std::vector<std::size_t> unsafe;
   for (std::size_t i = 0; i < films_.size(); ++i) {
@@ -65,14 +55,13 @@ std::vector<std::size_t> NewtonMatrix::assemble(const Foam& foam, const Region& 
       unsafe.push_back(i);
     }
   }
-  const double tension = 2 * foam.surface_tension;
+  const double tension = foam.reference_tension();
   const double spacing = region.spacing;
   junction_diagonal_ = (shift + kRegularisation) * tension / spacing;
   pressure_diagonal_ = -kRegularisation * spacing * spacing * spacing / tension;
   const bool pinned = region.whole && shift == 0;
-  junction_pin_ = pinned && foam.boundary != Boundary::Fixed ? tension / spacing : 0;
-  pressure_pin_ =
-      pinned && foam.boundary != Boundary::Free ? -spacing * spacing * spacing / tension : 0;
+  junction_pin_ = pinned && foam.surroundings.translates() ? tension / spacing : 0;
+  pressure_pin_ = pinned && foam.surroundings.closed() ? -spacing * spacing * spacing / tension : 0;
   return unsafe;
 }
 
@@ -87,17 +76,17 @@ bool NewtonMatrix::assemble_film(const Foam& foam, const Region& region, std::si
     }
     eliminate_angle(film);
   }
-  for_each_entry([&](std::size_t row, std::size_t column, std::size_t k) {
+  for_each_lower<7>([&](std::size_t row, std::size_t column, std::size_t k) {
     films_[place].value[k] = film.hessian[row][column];
   });
   return true;
 }
 
 double NewtonMatrix::regularisation(std::size_t unknown) const {
-  if (unknown < Foam::size(unknowns_.first_pressure())) {
+  if (unknown < place_of(unknowns_.first_pressure())) {
     return junction_diagonal_;
   }
-  return unknown < Foam::size(unknowns_.first_angle()) ? pressure_diagonal_ : 0;
+  return unknown < place_of(unknowns_.first_angle()) ? pressure_diagonal_ : 0;
 }
 
 void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<double> rhs) const {
@@ -106,7 +95,7 @@ void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<do
       const double* const row = &films_[i].value[kAngleRow];
       for (std::size_t k = 0; k < kAngle; ++k) {
         if (films_[i].unknown[k] != kNone) {
-          rhs[Foam::size(films_[i].unknown[k])] += row[k] * angle_gradient[i] / row[kAngle];
+          rhs[place_of(films_[i].unknown[k])] += row[k] * angle_gradient[i] / row[kAngle];
         }
       }
     }
@@ -118,12 +107,12 @@ double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
                                   const std::array<double, 7>& held) const {
   const FilmShare& film = films_[place];
   if (film.unknown[kAngle] != kNone) {
-    return x[Foam::size(film.unknown[kAngle])];
+    return x[place_of(film.unknown[kAngle])];
   }
   double sum = angle_gradient;
   for (std::size_t k = 0; k < kAngle; ++k) {
     const Index u = film.unknown[k];
-    sum += film.value[kAngleRow + k] * (u == kNone ? held[k] : x[Foam::size(u)]);
+    sum += film.value[kAngleRow + k] * (u == kNone ? held[k] : x[place_of(u)]);
   }
   return -sum / film.value[kAngleRow + kAngle];
 }
@@ -141,7 +130,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x,
                                     std::span<const std::array<Index, 7>> columns,
                                     std::span<const Index> rows, std::span<double> from) const {
   for (std::size_t u = 0; u < from.size(); ++u) {
-    from[u] -= regularisation(u) * x[Foam::size(rows[u])];
+    from[u] -= regularisation(u) * x[place_of(rows[u])];
   }
   for (std::size_t i = 0; i < films_.size(); ++i) {
     foam::subtract_product(films_[i], columns[i], x, from);
@@ -149,7 +138,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x,
 }
 
 std::vector<double> NewtonMatrix::diagonal() const {
-  std::vector<double> diagonal(Foam::size(unknowns_.count()));
+  std::vector<double> diagonal(place_of(unknowns_.count()));
   for (std::size_t u = 0; u < diagonal.size(); ++u) {
     diagonal[u] = regularisation(u);
   }
@@ -158,7 +147,7 @@ std::vector<double> NewtonMatrix::diagonal() const {
     diagonal[1] += junction_pin_;
   }
   if (pressure_pin_ < 0) {
-    diagonal[Foam::size(unknowns_.first_pressure())] += pressure_pin_;
+    diagonal[place_of(unknowns_.first_pressure())] += pressure_pin_;
   }
   return diagonal;
 }

@@ -5,11 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "algebra/film_share.h"
+#include "algebra/element_matrix.h"
 #include "equilibrium/unknowns.h"
 #include "physics/film_lagrangian.h"
 
 namespace foam {
+
+/// What a film adds to the matrix of Newton's equations, in the order of FilmLagrangian.
+using FilmShare = ElementMatrix<7>;
 
 /// The matrix of Newton's equations in a region: the second derivatives of the Lagrangian,
 /// symmetric and indefinite, as the sum of its films' shares.
@@ -24,7 +27,7 @@ namespace foam {
 class NewtonMatrix {
 public:
   /// Whether the film's half-angle should be an unknown.
-  static bool angle_is_delicate(const Foam& foam, Index film);
+  static bool angle_is_delicate(const Foam& foam, Film film);
 
   /// Numbers the unknowns. \param keep_angle by place in region.films
   void set_up(const Foam& foam, const Region& region, std::span<const char> keep_angle);

@@ -15,15 +15,15 @@ struct Rates {
   std::span<const double> pressures; ///< of bubbles, N/(cm² s)
 
   /// Of the variables of a film, in the order of FilmLagrangian.
-  std::array<double, 7> of_film(const Foam& foam, Index film) const {
+  std::array<double, 7> of_film(const Foam& foam, Film film) const {
     if (junctions.empty()) {
       return {};
     }
-    const Index h = 2 * film;
+    const Half h = film.half();
     const Vec2 start = of_junction(foam, foam.start(h));
     const Vec2 end = of_junction(foam, foam.end(h));
-    const auto pressure = [&](Index bubble) {
-      return bubble == kWorld ? 0 : pressures[Foam::size(bubble)];
+    const auto pressure = [&](Bubble bubble) {
+      return bubble.is_outside() ? 0 : pressures[bubble.place()];
     };
     return {start.x,
             start.y,
@@ -31,13 +31,13 @@ struct Rates {
             end.y,
             pressure(foam.left(h)),
             pressure(foam.right(h)),
-            angles[Foam::size(film)]};
+            angles[film.place()]};
   }
 
 private:
   /// A wall holds what has come to it since.
-  Vec2 of_junction(const Foam& foam, Index junction) const {
-    return foam.pinned(junction) ? Vec2{} : junctions[Foam::size(junction)];
+  Vec2 of_junction(const Foam& foam, Junction junction) const {
+    return foam.freedom(junction).of(junctions[junction.place()]);
   }
 };
 

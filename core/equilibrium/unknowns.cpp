@@ -3,17 +3,17 @@
 
 namespace foam {
 
-void Unknowns::Numbers::clear(std::size_t capacity) {
-  for (const Index element : elements_) {
-    numbers_[Foam::size(element)] = kNone;
+template <class Element> void Unknowns::Numbers<Element>::clear(std::size_t capacity) {
+  for (const Element element : elements_) {
+    numbers_[element] = kNone;
   }
   elements_.clear();
   numbers_.resize(capacity, kNone);
 }
 
-void Unknowns::Numbers::put(Index element, Index number) {
+template <class Element> void Unknowns::Numbers<Element>::put(Element element, Index number) {
   elements_.push_back(element);
-  numbers_[Foam::size(element)] = number;
+  numbers_[element] = number;
 }
 
 void Unknowns::number(const Foam& foam, const Region& region, std::span<const char> keep_angle) {
@@ -21,12 +21,12 @@ void Unknowns::number(const Foam& foam, const Region& region, std::span<const ch
   bubbles_.clear(foam.pressure.size());
   angles_.clear(foam.film_angle.size());
   count_ = 0;
-  for (const Index j : region.junctions) {
+  for (const Junction j : region.junctions) {
     junctions_.put(j, count_);
     count_ += 2;
   }
   first_pressure_ = count_;
-  for (const Index b : region.bubbles) {
+  for (const Bubble b : region.bubbles) {
     bubbles_.put(b, count_++);
   }
   first_angle_ = count_;
@@ -37,8 +37,8 @@ void Unknowns::number(const Foam& foam, const Region& region, std::span<const ch
   }
 }
 
-std::array<Index, 7> Unknowns::of_film(const Foam& foam, Index film) const {
-  const Index h = 2 * film;
+std::array<Index, 7> Unknowns::of_film(const Foam& foam, Film film) const {
+  const Half h = film.half();
   const Index a = junction(foam.start(h));
   const Index b = junction(foam.end(h));
   return {a,
@@ -51,22 +51,22 @@ std::array<Index, 7> Unknowns::of_film(const Foam& foam, Index film) const {
 }
 
 std::vector<Index> translation(const Region& region, const Unknowns& from, const Unknowns& to) {
-  std::vector<Index> numbers(Foam::size(from.count()), kNone);
+  std::vector<Index> numbers(place_of(from.count()), kNone);
   const auto put = [&](Index number, Index other) {
     if (number != kNone) {
-      numbers[Foam::size(number)] = other;
+      numbers[place_of(number)] = other;
     }
   };
-  for (const Index j : region.junctions) {
+  for (const Junction j : region.junctions) {
     const Index x = from.junction(j);
     const Index other = to.junction(j);
     put(x, other);
     put(x == kNone ? kNone : x + 1, other == kNone ? kNone : other + 1);
   }
-  for (const Index b : region.bubbles) {
+  for (const Bubble b : region.bubbles) {
     put(from.bubble(b), to.bubble(b));
   }
-  for (const Index f : region.films) {
+  for (const Film f : region.films) {
     put(from.angle(f), to.angle(f));
   }
   return numbers;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "equilibrium/region.h"
+#include "equilibrium/domain.h"
 #include "mesh/foam.h"
 
 namespace foam {
@@ -24,28 +24,30 @@ public:
 
   // Numbers, or kNone for what is held, eliminated, or was not there when this was set up.
   /// Of x; that of y follows.
-  Index junction(Index junction) const { return junctions_.at(junction); }
-  Index bubble(Index bubble) const { return bubble == kWorld ? kNone : bubbles_.at(bubble); }
-  Index angle(Index film) const { return angles_.at(film); }
+  Index junction(Junction junction) const { return junctions_.at(junction); }
+  Index bubble(Bubble bubble) const { return bubble.is_outside() ? kNone : bubbles_.at(bubble); }
+  Index angle(Film film) const { return angles_.at(film); }
   /// In the order of FilmLagrangian.
-  std::array<Index, 7> of_film(const Foam& foam, Index film) const;
+  std::array<Index, 7> of_film(const Foam& foam, Film film) const;
 
 private:
   /// Of some elements among many.
-  class Numbers {
+  template <class Element> class Numbers {
   public:
     void clear(std::size_t capacity);
-    void put(Index element, Index number);
-    Index at(Index element) const {
-      return Foam::size(element) < numbers_.size() ? numbers_[Foam::size(element)] : kNone;
+    void put(Element element, Index number);
+    Index at(Element element) const {
+      return element.place() < numbers_.size() ? numbers_[element] : kNone;
     }
 
   private:
-    std::vector<Index> numbers_;  ///< by element
-    std::vector<Index> elements_; ///< that have one
+    Field<Element, Index> numbers_;
+    std::vector<Element> elements_; ///< that have one
   };
 
-  Numbers junctions_, bubbles_, angles_;
+  Numbers<Junction> junctions_;
+  Numbers<Bubble> bubbles_;
+  Numbers<Film> angles_;
   Index first_pressure_ = 0;
   Index first_angle_ = 0;
   Index count_ = 0;

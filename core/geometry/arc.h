@@ -34,7 +34,7 @@ namespace detail {
 inline constexpr double kSeriesLimit = 0.5;
 
 /// f and g with their derivatives by their series.
-FOAM_HOST_DEVICE inline ArcShape arc_shape_by_series(double alpha) {
+[[gnu::always_inline]] FOAM_HOST_DEVICE inline ArcShape arc_shape_by_series(double alpha) {
   // Of α^{2k}, k = 0, 1, …, in α/sin α.
   static constexpr std::array<double, 13> kLengthSeries = {1.0,
                                                            0.16666666666666666,
@@ -78,8 +78,9 @@ FOAM_HOST_DEVICE inline ArcShape arc_shape_by_series(double alpha) {
 
 } // namespace detail
 
-/// f and g with their derivatives; −π < alpha < π (rad).
-FOAM_HOST_DEVICE inline ArcShape arc_shape(double alpha) {
+/// f and g with their derivatives; −π < alpha < π (rad). Inlined, so that nobody computes those that
+/// are not asked for.
+[[gnu::always_inline]] FOAM_HOST_DEVICE inline ArcShape arc_shape(double alpha) {
   if (std::abs(alpha) < detail::kSeriesLimit) {
     return detail::arc_shape_by_series(alpha);
   }

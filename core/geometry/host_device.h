@@ -2,6 +2,9 @@
 //
 // Marks the functions that a CUDA compiler also compiles for the GPU. They hold no containers but
 // std::array, whose members are constexpr (nvcc --expt-relaxed-constexpr).
+//
+// A kernel that is written where it is used begins with FOAM_KERNEL, what it needs being copied (nvcc
+// --extended-lambda, which wants the function around it to be no private member of a class).
 #pragma once
 
 #ifdef __CUDACC__
@@ -9,3 +12,4 @@
 #else
 #define FOAM_HOST_DEVICE
 #endif
+#define FOAM_KERNEL [=] FOAM_HOST_DEVICE

@@ -12,35 +12,72 @@
 
 namespace foam {
 
-/// The largest deviation from 120° between the films of a junction (rad).
-template <class Mesh> FOAM_HOST_DEVICE double angle_error(const Mesh& mesh, Index junction) {
-  const std::array<Index, 3>& halves = mesh.junction_half[Mesh::size(junction)];
+/// The tensions of a junction's films, N/cm.
+template <class Mesh>
+FOAM_HOST_DEVICE std::array<double, 3> tensions_at(const Mesh& mesh, Junction junction) {
+  const std::array<Half, 3>& halves = mesh.junction_half[junction];
+  return {mesh.tension(halves[0].film()), mesh.tension(halves[1].film()),
+          mesh.tension(halves[2].film())};
+}
+
+/// Whether a junction can hold three tensions: each is less than the other two together.
+FOAM_HOST_DEVICE inline bool can_balance(const std::array<double, 3>& tension) {
+  const auto [a, b, c] = tension;
+  return a < b + c && b < c + a && c < a + b;
+}
+
+/// The angle between two films in equilibrium with a third, in Neumann's triangle of their tensions
+/// (rad): cos θ₁₂ = (T₃² − T₁² − T₂²)/(2·T₁·T₂), 120° for equal ones.
+FOAM_HOST_DEVICE inline double neumann_angle(double first, double second, double third) {
+  if (first == second && second == third) {
+    return 2 * std::numbers::pi / 3;
+  }
+  const double cosine = (third * third - first * first - second * second) / (2 * first * second);
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+/// What a junction's films pull with in all, Σ T·t, N/cm: zero in equilibrium.
+template <class Mesh> FOAM_HOST_DEVICE Vec2 force_imbalance(const Mesh& mesh, Junction junction) {
+  Vec2 sum;
+  for (const Half h : mesh.junction_half[junction]) {
+    sum += mesh.tension(h.film()) * mesh.tangent(h);
+  }
+  return sum;
+}
+
+/// The largest deviation between the films of a junction from the angles that their tensions ask
+/// for (rad).
+template <class Mesh> FOAM_HOST_DEVICE double angle_error(const Mesh& mesh, Junction junction) {
+  const std::array<Half, 3>& halves = mesh.junction_half[junction];
   const std::array<Vec2, 3> tangents{mesh.tangent(halves[0]), mesh.tangent(halves[1]),
                                      mesh.tangent(halves[2])};
+  const std::array<double, 3> tension = tensions_at(mesh, junction);
   double largest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double angle = angle_from_to(tangents[k], tangents[(k + 1) % 3]);
+    const std::size_t next = (k + 1) % 3;
+    const double angle = angle_from_to(tangents[k], tangents[next]);
     const double positive = angle < 0 ? angle + 2 * std::numbers::pi : angle;
-    largest = std::max(largest, std::abs(positive - 2 * std::numbers::pi / 3));
+    const double asked = neumann_angle(tension[k], tension[next], tension[(k + 2) % 3]);
+    largest = std::max(largest, std::abs(positive - asked));
   }
   return largest;
 }
 
-/// The length by which a film adds to the foam's energy (cm): none if it is gone, or a piece of the
-/// wall of a sealed container.
-template <class Mesh> FOAM_HOST_DEVICE double tense_length(const Mesh& mesh, Index film) {
-  return mesh.has_film(film) && !mesh.wall(2 * film) ? mesh.length(2 * film) : 0;
+/// The length of a film of tension 2γ that has the energy of this one (cm): 0 if it is gone, or a
+/// piece of a wall.
+template <class Mesh> FOAM_HOST_DEVICE double tense_length(const Mesh& mesh, Film film) {
+  return mesh.bends(film) ? mesh.relative_tension(film) * mesh.length(film.half()) : 0;
 }
 
 /// |A − A^τ|/A^τ of a bubble.
-template <class Mesh> FOAM_HOST_DEVICE double area_error(const Mesh& mesh, Index bubble) {
-  const double target = mesh.target_area[Mesh::size(bubble)];
+template <class Mesh> FOAM_HOST_DEVICE double area_error(const Mesh& mesh, Bubble bubble) {
+  const double target = mesh.target_area[bubble];
   return std::abs(mesh.area(bubble) - target) / target;
 }
 
 /// Whether the films leave a junction in counter-clockwise order.
-template <class Mesh> FOAM_HOST_DEVICE bool counter_clockwise(const Mesh& mesh, Index junction) {
-  const std::array<Index, 3>& halves = mesh.junction_half[Mesh::size(junction)];
+template <class Mesh> FOAM_HOST_DEVICE bool counter_clockwise(const Mesh& mesh, Junction junction) {
+  const std::array<Half, 3>& halves = mesh.junction_half[junction];
   const Vec2 first = mesh.tangent(halves[0]);
   const double second = angle_from_to(first, mesh.tangent(halves[1]));
   const double third = angle_from_to(first, mesh.tangent(halves[2]));

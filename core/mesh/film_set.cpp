@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numbers>
 #include <string>
 #include <unordered_map>
 
 #include "base/error.h"
+#include "mesh/element_measures.h"
 #include "mesh/validate.h"
 
 namespace foam {
@@ -20,21 +21,22 @@ using std::to_string;
 /// The bubble on the left of a half-film is on the right of the next one; where three different
 /// bubbles meet that alone decides the order. Where a bubble meets itself (small tori) the tangents
 /// decide.
-std::array<Index, 3> counter_clockwise(const Foam& foam, std::array<Index, 3> halves) {
+std::array<Half, 3> counter_clockwise(const Foam& foam, std::array<Half, 3> halves) {
   std::sort(halves.begin(), halves.end());
   const auto [a, b, c] = halves;
-  const auto follows = [&](Index next, Index h) { return foam.right(next) == foam.left(h); };
+  const auto follows = [&](Half next, Half h) { return foam.right(next) == foam.left(h); };
   const bool abc = follows(b, a) && follows(c, b) && follows(a, c);
   const bool acb = follows(c, a) && follows(b, c) && follows(a, b);
   if (abc && acb) {
-    const auto turn = [&](Index h) {
-      const double angle = angle_from_to(foam.tangent(a), foam.tangent(h));
+    const Vec2 first = foam.tangent(a);
+    const auto turn = [&](Half h) {
+      const double angle = angle_from_to(first, foam.tangent(h));
       return angle < 0 ? angle + 2 * std::numbers::pi : angle;
     };
     return turn(b) < turn(c) ? std::array{a, b, c} : std::array{a, c, b};
   }
   if (!abc && !acb) {
-    throw FoamError("the bubbles around junction " + to_string(foam.start(a)) +
+    throw FoamError("the bubbles around junction " + to_string(foam.start(a).index()) +
                     " do not fit together");
   }
   return abc ? std::array{a, b, c} : std::array{a, c, b};
@@ -54,11 +56,35 @@ void check_scalars(const FilmSet& set) {
   if (!(set.surface_tension > 0) || !std::isfinite(set.surface_tension)) {
     throw FoamError("SurfaceTension must be positive, but is " + number(set.surface_tension));
   }
-  if (set.boundary == Boundary::Periodic &&
-      !(std::isfinite(set.box.width()) && std::isfinite(set.box.height()) && set.box.width() > 0 &&
-        set.box.height() > 0)) {
-    throw FoamError("PeriodicBounds enclose no area: " + number(set.box.xmin) + " " +
-                    number(set.box.xmax) + " " + number(set.box.ymin) + " " + number(set.box.ymax));
+  if (set.surroundings.periodic()) {
+    const auto& [origin, first, second] = set.surroundings.lattice;
+    const double area = set.surroundings.lattice.area();
+    if (!(area > 0) || !std::isfinite(area + origin.x + origin.y)) {
+      throw FoamError("the periods " + number(first) + " and " + number(second) + " at " +
+                      number(origin) + " enclose no area");
+    }
+  }
+}
+
+/// \throws FoamError if a film has no tension, or a junction that may move cannot hold those of its
+/// films.
+void check_tensions(const Foam& foam) {
+  if (foam.has_uniform_tension()) {
+    return;
+  }
+  for (const Film f : foam.film_slots()) {
+    if (!(foam.tension(f) > 0) || !std::isfinite(foam.tension(f))) {
+      throw FoamError("the tension of film " + to_string(f.index()) + " must be positive, but is " +
+                      number(foam.tension(f)));
+    }
+  }
+  for (const Junction j : foam.junction_slots()) {
+    const std::array<double, 3> tension = tensions_at(foam, j);
+    if (foam.freedom(j).any() && !can_balance(tension)) {
+      throw FoamError("junction " + to_string(j.index()) + " cannot hold films of tensions " +
+                      number(tension[0]) + ", " + number(tension[1]) + " and " +
+                      number(tension[2]) + " N/cm: one pulls harder than the other two together");
+    }
   }
 }
 
@@ -67,46 +93,57 @@ void check_scalars(const FilmSet& set) {
 FilmSet film_set(const Foam& foam) {
   FilmSet set;
   static_cast<FoamRecord&>(set) = static_cast<const FoamRecord&>(foam);
+  set.exteriors = foam.exterior;
 
-  std::vector<Index> junction_number(foam.position.size(), kNone);
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  Field<Junction, Index> junction_number(foam.position.size(), kNone);
+  for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j)) {
-      junction_number[Foam::size(j)] = static_cast<Index>(set.junctions.size());
-      set.junctions.push_back(foam.position[Foam::size(j)]);
+      junction_number[j] = static_cast<Index>(set.junctions.size());
+      set.junctions.push_back(foam.position[j]);
     }
   }
-  const auto id = [&](Index b) { return b == kWorld ? -1 : foam.bubble_id[Foam::size(b)]; };
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
+  const auto id = [&](Bubble b) {
+    return b.is_outside() ? std::int64_t{b.index()} : foam.bubble_id[b];
+  };
+  for (const Film f : foam.film_slots()) {
     if (foam.has_film(f)) {
-      const Index h = 2 * f;
-      set.films.push_back({junction_number[Foam::size(foam.start(h))],
-                           junction_number[Foam::size(foam.end(h))], id(foam.left(h)),
-                           id(foam.right(h)), foam.half_angle(h), foam.wrap(h)});
+      const Half h = f.half();
+      set.films.push_back({junction_number[foam.start(h)], junction_number[foam.end(h)],
+                           id(foam.left(h)), id(foam.right(h)), foam.half_angle(h), foam.wrap(h)});
+      if (!foam.has_uniform_tension()) {
+        set.tensions.push_back(foam.tension(f));
+      }
     }
   }
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b)) {
-      const auto i = Foam::size(b);
-      set.bubbles.push_back({foam.bubble_id[i], foam.pressure[i], foam.target_area[i]});
+      set.bubbles.push_back({foam.bubble_id[b], foam.pressure[b], foam.target_area[b]});
     }
   }
-  std::sort(set.bubbles.begin(), set.bubbles.end(),
-            [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::ranges::sort(set.bubbles, {}, &FilmSet::Bubble::id);
   return set;
 }
 
 Foam foam_of(const FilmSet& set) {
   check_scalars(set);
   Foam foam;
-  foam.resize(static_cast<Index>(set.bubbles.size()), static_cast<Index>(set.films.size()),
-              static_cast<Index>(set.junctions.size()));
+  foam.clear(static_cast<Index>(set.bubbles.size()), static_cast<Index>(set.films.size()),
+             static_cast<Index>(set.junctions.size()));
   static_cast<FoamRecord&>(foam) = static_cast<const FoamRecord&>(set);
+  foam.surround(set.surroundings);
+  if (!set.exteriors.empty()) {
+    foam.exterior.assign(set.exteriors.begin(), set.exteriors.end());
+  }
 
-  std::unordered_map<std::int64_t, Index> bubble_number{{-1, kWorld}};
-  for (std::size_t i = 0; i < set.bubbles.size(); ++i) {
-    const auto& bubble = set.bubbles[i];
+  std::unordered_map<std::int64_t, Bubble> bubble_number;
+  for (Index k = 0; k < static_cast<Index>(foam.exterior.size()); ++k) {
+    const Bubble outside{Outside(k)};
+    bubble_number.emplace(outside.index(), outside);
+  }
+  for (const Bubble b : foam.bubble_slots()) {
+    const auto& bubble = set.bubbles[b.place()];
     const std::string name = "bubble " + to_string(bubble.id);
-    if (bubble.id < 0 || !bubble_number.emplace(bubble.id, static_cast<Index>(i)).second) {
+    if (bubble.id < 0 || !bubble_number.emplace(bubble.id, b).second) {
       throw FoamError("BubbleId " + to_string(bubble.id) + " is negative or listed twice");
     }
     check_finite(bubble.pressure, "the pressure of " + name);
@@ -114,21 +151,26 @@ Foam foam_of(const FilmSet& set) {
       throw FoamError("the target area of " + name + " must be positive, but is " +
                       number(bubble.target_area));
     }
-    foam.bubble_id[i] = bubble.id;
-    foam.pressure[i] = bubble.pressure;
-    foam.target_area[i] = bubble.target_area;
+    foam.bubble_id[b] = bubble.id;
+    foam.pressure[b] = bubble.pressure;
+    foam.target_area[b] = bubble.target_area;
   }
 
-  for (std::size_t j = 0; j < set.junctions.size(); ++j) {
-    foam.position[j] = set.junctions[j];
-    check_finite(set.junctions[j].x + set.junctions[j].y,
-                 "the position of junction " + to_string(j));
+  for (const Junction j : foam.junction_slots()) {
+    const Vec2 position = set.junctions[j.place()];
+    foam.position[j] = position;
+    check_finite(position.x + position.y, "the position of junction " + to_string(j.index()));
   }
 
-  std::vector<int> degree(set.junctions.size(), 0);
-  for (std::size_t f = 0; f < set.films.size(); ++f) {
-    const auto& film = set.films[f];
-    const std::string name = "film " + to_string(f);
+  if (!set.tensions.empty() && set.tensions.size() != set.films.size()) {
+    throw FoamError("there are " + to_string(set.tensions.size()) + " tensions for " +
+                    to_string(set.films.size()) + " films");
+  }
+  foam.film_tension.assign(set.tensions.begin(), set.tensions.end());
+  Field<Junction, int> degree(set.junctions.size(), 0);
+  for (const Film f : foam.film_slots()) {
+    const auto& film = set.films[f.place()];
+    const std::string name = "film " + to_string(f.index());
     const auto lookup = [&](std::int64_t bubble) {
       const auto found = bubble_number.find(bubble);
       if (found == bubble_number.end()) {
@@ -140,49 +182,50 @@ Foam foam_of(const FilmSet& set) {
       throw FoamError("the half-angle of " + name + " is " + number(film.half_angle) +
                       ", outside (-pi, pi)");
     }
-    const Index h = 2 * static_cast<Index>(f);
-    const std::array ends{film.start, film.end};
-    for (int side = 0; side < 2; ++side) {
-      const Index j = ends[static_cast<std::size_t>(side)];
-      if (j < 0 || Foam::size(j) >= set.junctions.size()) {
-        throw FoamError(name + " ends in junction " + to_string(j) + ", which does not exist");
+    const auto set_half = [&](Half h, Index start, std::int64_t left) {
+      const Junction j(start);
+      if (start < 0 || j.place() >= set.junctions.size()) {
+        throw FoamError(name + " ends in junction " + to_string(start) + ", which does not exist");
       }
-      if (degree[Foam::size(j)] == 3) {
-        throw FoamError("more than three films meet in junction " + to_string(j));
+      if (degree[j] == 3) {
+        throw FoamError("more than three films meet in junction " + to_string(start));
       }
-      foam.junction_half[Foam::size(j)][static_cast<std::size_t>(degree[Foam::size(j)]++)] =
-          h + side;
-      foam.half_junction[Foam::size(h + side)] = j;
-    }
-    foam.half_bubble[Foam::size(h)] = lookup(film.left);
-    foam.half_bubble[Foam::size(h + 1)] = lookup(film.right);
+      foam.junction_half[j][static_cast<std::size_t>(degree[j]++)] = h;
+      foam.half_junction[h] = j;
+      foam.half_bubble[h] = lookup(left);
+    };
+    set_half(f.half(), film.start, film.left);
+    set_half(f.half().twin(), film.end, film.right);
     foam.film_angle[f] = film.half_angle;
     foam.film_wrap[f] = film.wrap;
   }
 
-  for (std::size_t j = 0; j < set.junctions.size(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     if (degree[j] != 3) {
-      throw FoamError(to_string(degree[j]) + " films meet in junction " + to_string(j) +
+      throw FoamError(to_string(degree[j]) + " films meet in junction " + to_string(j.index()) +
                       ", not three");
     }
     foam.junction_half[j] = counter_clockwise(foam, foam.junction_half[j]);
   }
-  for (Index h = 2 * foam.film_capacity(); h-- > 0;) {
-    const Index b = foam.left(h);
-    if (b != kWorld) {
-      foam.bubble_half[Foam::size(b)] = h;
-      ++foam.sides[Foam::size(b)];
+  for (const Half h : foam.half_slots()) {
+    const Bubble b = foam.left(h);
+    if (!b.is_outside()) {
+      if (foam.bubble_half[b] == kNone) {
+        foam.bubble_half[b] = h;
+      }
+      ++foam.sides[b];
     }
   }
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (!foam.has_bubble(b)) {
-      throw FoamError("bubble " + to_string(foam.bubble_id[Foam::size(b)]) + " has no films");
+      throw FoamError("bubble " + to_string(foam.bubble_id[b]) + " has no films");
     }
   }
   const auto problems = validate(foam);
   if (!problems.empty()) {
     throw FoamError(problems.front());
   }
+  check_tensions(foam);
   return foam;
 }
 

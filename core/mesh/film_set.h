@@ -14,7 +14,7 @@ struct FilmSet : FoamRecord {
   struct Film {
     Index start = kNone;     ///< junction
     Index end = kNone;       ///< junction
-    std::int64_t left = -1;  ///< BubbleId on the left of the walk from start to end; −1 = world
+    std::int64_t left = -1;  ///< BubbleId on the left of the walk from start to end; −1 = outside
     std::int64_t right = -1; ///< BubbleId on the right
     double half_angle = 0;   ///< rad, > 0 where the film bulges to the right
     Wrap wrap;               ///< periods from start to end; (0, 0) unless Periodic
@@ -31,7 +31,9 @@ struct FilmSet : FoamRecord {
 
   std::vector<Vec2> junctions; ///< cm
   std::vector<Film> films;
-  std::vector<Bubble> bubbles; ///< in ascending order of id
+  std::vector<double> tensions;    ///< of the films, N/cm; empty where all have 2γ
+  std::vector<Bubble> bubbles;     ///< in ascending order of id
+  std::vector<Exterior> exteriors; ///< the outsides; empty stands for what goes with the boundary
 
   friend bool operator==(const FilmSet&, const FilmSet&) = default;
 };
@@ -41,7 +43,8 @@ FilmSet film_set(const Foam& foam);
 
 /// The foam of a list of films. A function of the list alone: the same list gives the same foam,
 /// bit for bit, and film_set(foam_of(list)) is the list. \throws FoamError if the films do not make
-/// a valid foam; the message names the element.
+/// a valid foam, or a junction cannot hold the tensions of its films; the message names the
+/// element.
 Foam foam_of(const FilmSet& set);
 
 } // namespace foam

@@ -8,53 +8,63 @@
 namespace foam {
 
 Index Foam::bubble_count() const {
-  return static_cast<Index>(
-      std::count_if(bubble_half.begin(), bubble_half.end(), [](Index h) { return h != kNone; }));
+  return static_cast<Index>(std::ranges::count_if(bubble_half, [](Half h) { return h != kNone; }));
 }
 
 Index Foam::film_count() const {
-  return static_cast<Index>(std::count_if(half_junction.begin(), half_junction.end(),
-                                          [](Index j) { return j != kNone; })) /
+  return static_cast<Index>(
+             std::ranges::count_if(half_junction, [](Junction j) { return j != kNone; })) /
          2;
 }
 
 Index Foam::junction_count() const {
-  return static_cast<Index>(std::count_if(junction_half.begin(), junction_half.end(),
-                                          [](const auto& h) { return h[0] != kNone; }));
+  return static_cast<Index>(
+      std::ranges::count_if(junction_half, [](const auto& h) { return h[0] != kNone; }));
 }
 
 double Foam::energy() const {
   double total = 0;
-  for (Index f = 0; f < film_capacity(); ++f) {
+  for (const Film f : film_slots()) {
     total += tense_length(*this, f);
   }
-  return 2 * surface_tension * total;
+  return reference_tension() * total;
 }
 
 double Foam::mean_spacing() const {
   double total = 0;
   Index count = 0;
-  for (Index b = 0; b < bubble_capacity(); ++b) {
+  for (const Bubble b : bubble_slots()) {
     if (has_bubble(b)) {
-      total += target_area[size(b)];
+      total += target_area[b];
       ++count;
     }
   }
   return std::sqrt(total / std::max(count, Index{1}));
 }
 
-void Foam::resize(Index bubbles, Index films, Index junctions) {
-  bubble_half.assign(size(bubbles), kNone);
-  sides.assign(size(bubbles), 0);
-  pressure.assign(size(bubbles), 0.0);
-  target_area.assign(size(bubbles), 0.0);
-  bubble_id.assign(size(bubbles), 0);
-  half_junction.assign(size(2 * films), kNone);
-  half_bubble.assign(size(2 * films), kWorld);
-  film_angle.assign(size(films), 0.0);
-  film_wrap.assign(size(films), Wrap{});
-  position.assign(size(junctions), Vec2{});
-  junction_half.assign(size(junctions), {kNone, kNone, kNone});
+void Foam::clear(Index bubbles, Index films, Index junctions) {
+  for_each_array(
+      [&]<class Element, class T>(Field<Element, T>& field) {
+        if constexpr (std::is_same_v<Element, Bubble>) {
+          field.assign(static_cast<std::size_t>(bubbles), T{});
+        } else if constexpr (std::is_same_v<Element, Film>) {
+          field.assign(static_cast<std::size_t>(films), T{});
+        } else if constexpr (std::is_same_v<Element, Half>) {
+          field.assign(2 * static_cast<std::size_t>(films), T{});
+        } else if constexpr (std::is_same_v<Element, Junction>) {
+          field.assign(static_cast<std::size_t>(junctions), T{});
+        }
+      },
+      *this);
+  film_tension.clear();
+}
+
+void Foam::surround(const Surroundings& with) {
+  surroundings = with;
+  exterior.assign(with.periodic() ? 0 : 1, Exterior{});
+  if (with.has_walls()) {
+    exterior[kWorld.outside()].kind = Exterior::Kind::Solid;
+  }
 }
 
 } // namespace foam

@@ -9,55 +9,67 @@ namespace foam {
 /// wherever they run. Owns nothing; the arrays must outlive it and keep their lengths.
 ///
 /// Events are not counted here, where many may happen at once.
-struct FoamView : MeshAccess<FoamView> {
-  Index* bubble_half = nullptr;
-  Index* sides = nullptr;
-  double* pressure = nullptr;
-  double* target_area = nullptr;
-
-  Index* half_junction = nullptr;
-  Index* half_bubble = nullptr;
-
-  double* film_angle = nullptr;
-  Wrap* film_wrap = nullptr;
-
-  Vec2* position = nullptr;
-  std::array<Index, 3>* junction_half = nullptr;
-
-  Boundary boundary = Boundary::Free;
-  Box box;
+template <template <class, class> class Array>
+struct BasicFoamView : FoamArrays<Array>, MeshAccess<BasicFoamView<Array>> {
+  Surroundings surroundings;
   double surface_tension = 0;
 
   Index bubbles = 0;   ///< length of the bubbles' arrays
   Index films = 0;     ///< of the films'; twice that of the half-films'
   Index junctions = 0; ///< of the junctions'
+
+  FOAM_HOST_DEVICE Slots<Bubble> bubble_slots() const { return Slots<Bubble>(bubbles); }
+  FOAM_HOST_DEVICE Slots<Film> film_slots() const { return Slots<Film>(films); }
+  FOAM_HOST_DEVICE Slots<Junction> junction_slots() const { return Slots<Junction>(junctions); }
 };
 
-/// The view of a foam's own arrays.
-inline FoamView view_of(Foam& foam) {
-  FoamView view;
-  view.bubble_half = foam.bubble_half.data();
-  view.sides = foam.sides.data();
-  view.pressure = foam.pressure.data();
-  view.target_area = foam.target_area.data();
-  view.half_junction = foam.half_junction.data();
-  view.half_bubble = foam.half_bubble.data();
-  view.film_angle = foam.film_angle.data();
-  view.film_wrap = foam.film_wrap.data();
-  view.position = foam.position.data();
-  view.junction_half = foam.junction_half.data();
-  view.boundary = foam.boundary;
-  view.box = foam.box;
-  view.surface_tension = foam.surface_tension;
-  view.bubbles = foam.bubble_capacity();
-  view.films = foam.film_capacity();
-  view.junctions = foam.junction_capacity();
+/// To be changed.
+using FoamView = BasicFoamView<FieldView>;
+/// To be looked at.
+using ConstFoamView = BasicFoamView<ConstFieldView>;
+
+namespace detail {
+
+template <class View, class Arrays>
+View view_of_arrays(Arrays& arrays, const Surroundings& surroundings, double surface_tension) {
+  View view;
+  for_each_array(
+      [](auto& mine, auto& its) {
+        mine = std::remove_reference_t<decltype(mine)>(its.empty() ? nullptr : its.data());
+      },
+      view, arrays);
+  view.surroundings = surroundings;
+  view.surface_tension = surface_tension;
+  view.bubbles = static_cast<Index>(arrays.bubble_half.size());
+  view.films = static_cast<Index>(arrays.film_angle.size());
+  view.junctions = static_cast<Index>(arrays.position.size());
   return view;
 }
 
-/// The view of a foam that is only looked at.
-inline FoamView view_of(const Foam& foam) {
-  return view_of(const_cast<Foam&>(foam));
+} // namespace detail
+
+/// The view of a foam's own arrays.
+inline FoamView view_of(Foam& foam) {
+  return detail::view_of_arrays<FoamView>(foam, foam.surroundings, foam.surface_tension);
+}
+inline ConstFoamView view_of(const Foam& foam) {
+  return detail::view_of_arrays<ConstFoamView>(foam, foam.surroundings, foam.surface_tension);
+}
+
+/// The same to be looked at.
+inline ConstFoamView const_view(const FoamView& mesh) {
+  ConstFoamView view;
+  for_each_array(
+      [](auto& mine, const auto& its) {
+        mine = std::remove_reference_t<decltype(mine)>(its.data());
+      },
+      view, mesh);
+  view.surroundings = mesh.surroundings;
+  view.surface_tension = mesh.surface_tension;
+  view.bubbles = mesh.bubbles;
+  view.films = mesh.films;
+  view.junctions = mesh.junctions;
+  return view;
 }
 
 } // namespace foam

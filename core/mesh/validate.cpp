@@ -2,6 +2,7 @@
 #include "mesh/validate.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "mesh/element_measures.h"
 
@@ -9,6 +10,10 @@ namespace foam {
 namespace {
 
 using std::to_string;
+
+template <class Element> std::string name(Element e) {
+  return to_string(e.index());
+}
 
 class Validator {
 public:
@@ -34,95 +39,109 @@ private:
     const std::size_t bubbles = foam_.bubble_half.size();
     const std::size_t films = foam_.film_angle.size();
     const std::size_t junctions = foam_.position.size();
-    require(foam_.sides.size() == bubbles && foam_.pressure.size() == bubbles &&
-                foam_.target_area.size() == bubbles && foam_.bubble_id.size() == bubbles,
-            "the bubbles' arrays differ in length");
-    require(foam_.half_junction.size() == 2 * films && foam_.half_bubble.size() == 2 * films &&
-                foam_.film_wrap.size() == films,
-            "the films' arrays differ in length");
-    require(foam_.junction_half.size() == junctions, "the junctions' arrays differ in length");
+    for_each_array(
+        [&]<class Element, class T>(const Field<Element, T>& field) {
+          if constexpr (std::is_same_v<Element, Bubble>) {
+            require(field.size() == bubbles, "the bubbles' arrays differ in length");
+          } else if constexpr (std::is_same_v<Element, Film>) {
+            require(field.size() == films || static_cast<const void*>(&field) == tensions(),
+                    "the films' arrays differ in length");
+          } else if constexpr (std::is_same_v<Element, Half>) {
+            require(field.size() == 2 * films, "the films' arrays differ in length");
+          } else if constexpr (std::is_same_v<Element, Junction>) {
+            require(field.size() == junctions, "the junctions' arrays differ in length");
+          }
+        },
+        foam_);
+    require(foam_.film_tension.empty() || foam_.film_tension.size() == films,
+            "there is not a tension for each film");
+  }
+
+  const void* tensions() const { return &foam_.film_tension; }
+
+  template <class Element> static bool in(Element e, Slots<Element> slots) {
+    return e.index() >= 0 && e.index() < slots.size();
+  }
+
+  bool has_outside(Bubble b) const {
+    return b.is_outside() && b.outside().place() < foam_.exterior.size();
   }
 
   /// Every index points to an element that exists, and back.
   void check_references() {
-    for (Index f = 0; f < foam_.film_capacity(); ++f) {
-      const bool ends[] = {foam_.start(2 * f) != kNone, foam_.start(2 * f + 1) != kNone};
-      require(ends[0] == ends[1], "film " + to_string(f) + " has only one end");
+    for (const Film f : foam_.film_slots()) {
+      const bool ends[] = {foam_.start(f.half()) != kNone, foam_.end(f.half()) != kNone};
+      require(ends[0] == ends[1], "film " + name(f) + " has only one end");
       if (!ends[0] || !ends[1]) {
         continue;
       }
-      for (const Index h : {2 * f, 2 * f + 1}) {
-        const Index j = foam_.start(h);
-        const bool junction_exists =
-            j >= 0 && j < foam_.junction_capacity() && foam_.has_junction(j);
-        require(junction_exists && std::ranges::count(foam_.junction_half[Foam::size(j)], h) == 1,
-                "half-film " + to_string(h) + " is not one of the three of its junction " +
-                    to_string(j));
-        const Index b = foam_.left(h);
-        require(b == kWorld || (b >= 0 && b < foam_.bubble_capacity() && foam_.has_bubble(b)),
-                "half-film " + to_string(h) + " bounds bubble " + to_string(b) +
-                    ", which does not exist");
+      for (const Half h : {f.half(), f.half().twin()}) {
+        const Junction j = foam_.start(h);
+        const bool junction_exists = in(j, foam_.junction_slots()) && foam_.has_junction(j);
+        require(junction_exists && std::ranges::count(foam_.junction_half[j], h) == 1,
+                "half-film " + name(h) + " is not one of the three of its junction " + name(j));
+        const Bubble b = foam_.left(h);
+        require(has_outside(b) || (in(b, foam_.bubble_slots()) && foam_.has_bubble(b)),
+                "half-film " + name(h) + " bounds bubble " + name(b) + ", which does not exist");
       }
     }
-    for (Index j = 0; j < foam_.junction_capacity(); ++j) {
+    for (const Junction j : foam_.junction_slots()) {
       if (foam_.has_junction(j)) {
-        for (const Index h : foam_.junction_half[Foam::size(j)]) {
-          require(h >= 0 && h < 2 * foam_.film_capacity() && foam_.start(h) == j,
-                  "junction " + to_string(j) + " holds half-film " + to_string(h) +
+        for (const Half h : foam_.junction_half[j]) {
+          require(in(h, foam_.half_slots()) && foam_.start(h) == j,
+                  "junction " + name(j) + " holds half-film " + name(h) +
                       ", which does not start there");
         }
       }
     }
-    for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    for (const Bubble b : foam_.bubble_slots()) {
       if (foam_.has_bubble(b)) {
-        const Index h = foam_.bubble_half[Foam::size(b)];
-        require(h >= 0 && h < 2 * foam_.film_capacity() && foam_.start(h) != kNone &&
-                    foam_.left(h) == b,
-                "bubble " + to_string(b) + " is not on the left of its half-film " + to_string(h));
+        const Half h = foam_.bubble_half[b];
+        require(in(h, foam_.half_slots()) && foam_.start(h) != kNone && foam_.left(h) == b,
+                "bubble " + name(b) + " is not on the left of its half-film " + name(h));
       }
     }
   }
 
   void check_junctions() {
-    for (Index j = 0; j < foam_.junction_capacity(); ++j) {
+    for (const Junction j : foam_.junction_slots()) {
       if (foam_.has_junction(j)) {
-        for (const Index h : foam_.junction_half[Foam::size(j)]) {
+        for (const Half h : foam_.junction_half[j]) {
           require(foam_.left(h) == foam_.right(foam_.next_around_junction(h)),
-                  "the bubbles around junction " + to_string(j) + " do not fit together");
+                  "the bubbles around junction " + name(j) + " do not fit together");
         }
       }
     }
   }
 
   void check_loops() {
-    std::vector<Index> bounding(foam_.bubble_half.size(), 0);
-    for (Index h = 0; h < 2 * foam_.film_capacity(); ++h) {
-      if (foam_.start(h) != kNone && foam_.left(h) != kWorld) {
-        ++bounding[Foam::size(foam_.left(h))];
+    Field<Bubble, Index> bounding(foam_.bubble_half.size(), 0);
+    for (const Half h : foam_.half_slots()) {
+      if (foam_.start(h) != kNone && !foam_.left(h).is_outside()) {
+        ++bounding[foam_.left(h)];
       }
     }
-    for (Index b = 0; b < foam_.bubble_capacity(); ++b) {
+    for (const Bubble b : foam_.bubble_slots()) {
       if (!foam_.has_bubble(b)) {
         continue;
       }
-      const std::string name = "bubble " + to_string(b);
+      const std::string bubble = "bubble " + name(b);
       Index loop = 0;
       Wrap around;
-      for_each_half(foam_, b, [&](Index h) {
+      for_each_half(foam_, b, [&](Half h) {
         ++loop;
         around = around + foam_.wrap(h);
       });
-      require(loop == bounding[Foam::size(b)], name + " is bounded by more than one loop of films");
-      require(loop == foam_.sides[Foam::size(b)], name + " has " + to_string(loop) +
-                                                      " films, but counts " +
-                                                      to_string(foam_.sides[Foam::size(b)]));
-      require(loop >= 2, name + " has fewer than two sides");
-      require(around == Wrap{}, "the films of " + name + " do not close on the torus");
+      require(loop == bounding[b], bubble + " is bounded by more than one loop of films");
+      require(loop == foam_.sides[b], bubble + " has " + to_string(loop) + " films, but counts " +
+                                          to_string(foam_.sides[b]));
+      require(loop >= 2, bubble + " has fewer than two sides");
+      require(around == Wrap{}, "the films of " + bubble + " do not close on the torus");
     }
   }
 
   void check_euler() {
-    const bool torus = foam_.boundary == Boundary::Periodic;
+    const bool torus = foam_.surroundings.periodic();
     const Index characteristic =
         foam_.junction_count() - foam_.film_count() + foam_.bubble_count() + (torus ? 0 : 1);
     require(
@@ -149,17 +168,14 @@ std::vector<std::string> validate(const Foam& foam) {
 
 std::vector<std::string> validate_geometry(const Foam& foam) {
   std::vector<std::string> problems;
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    if (!foam.has_junction(j) || foam.pinned(j)) {
-      continue;
-    }
-    if (!counter_clockwise(foam, j)) {
-      problems.push_back("the films of junction " + to_string(j) + " are not counter-clockwise");
+  for (const Junction j : foam.junction_slots()) {
+    if (foam.moves(j) && !counter_clockwise(foam, j)) {
+      problems.push_back("the films of junction " + name(j) + " are not counter-clockwise");
     }
   }
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b) && !(foam.area(b) > 0)) {
-      problems.push_back("the area of bubble " + to_string(b) + " is " + to_string(foam.area(b)));
+      problems.push_back("the area of bubble " + name(b) + " is " + to_string(foam.area(b)));
     }
   }
   return problems;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mesh/elements.h"
+#include "mesh/fields.h"
 #include "parallel/kernels.h"
 
 namespace foam::parallel {
@@ -13,11 +13,11 @@ template <class Machine> class Flags {
 public:
   explicit Flags(Machine& machine) : machine_(machine) {}
 
-  /// \returns `size` flags that are all set; they stay until the next call.
-  std::uint8_t* all_set(Index size) {
-    flags_.resize(static_cast<std::size_t>(size));
-    machine_.for_each(size, Fill<std::uint8_t>{flags_.data(), 1});
-    return flags_.data();
+  /// \returns a flag for each of the elements, all of them set; they stay until the next call.
+  template <class Element> FieldView<Element, std::uint8_t> all_set(Slots<Element> slots) {
+    flags_.resize(place_of(slots.size()));
+    machine_.for_each(slots.size(), Fill<std::uint8_t>{flags_.data(), 1});
+    return FieldView<Element, std::uint8_t>(flags_.data());
   }
 
 private:

@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/elements.h"
+#include "mesh/ids.h"
+#include "parallel/kernels.h"
 #include "parallel/thread_count.h"
 
 namespace foam {
@@ -31,8 +32,8 @@ public:
   /// Calls kernel(i) for all i in [0, size), in no particular order and many at once.
   template <class Kernel> void for_each(Index size, const Kernel& kernel) const {
     const auto count = static_cast<std::size_t>(size);
-    const std::size_t pieces =
-        std::clamp<std::size_t>(count / least_per_thread<Kernel>(), 1, threads_);
+    const std::size_t pieces = std::clamp<std::size_t>(
+        count / std::min(parallel::least_per_thread<Kernel>(), least_per_thread_), 1, threads_);
     const auto work = [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         kernel(static_cast<Index>(i));
@@ -46,6 +47,12 @@ public:
     work(0, count / pieces);
   }
 
+  /// The same for the elements of a range (parallel::OfRange).
+  template <class Range, class Kernel>
+  void for_each(const Range& range, const Kernel& kernel) const {
+    for_each(range.size(), parallel::OfRange<Range, Kernel>{range, kernel});
+  }
+
   /// combine(… combine(combine(zero, map(0)), map(1)) …, map(size − 1)); the same bits every time.
   template <class T, class Map, class Combine>
   T reduce(Index size, T zero, const Map& map, const Combine& combine) const {
@@ -53,6 +60,11 @@ public:
       zero = combine(zero, map(i));
     }
     return zero;
+  }
+
+  template <class Range, class T, class Map, class Combine>
+  T reduce(const Range& range, T zero, const Map& map, const Combine& combine) const {
+    return reduce(range.size(), zero, parallel::OfRange<Range, Map>{range, map}, combine);
   }
 
   /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]
@@ -69,14 +81,6 @@ public:
   void sort(std::uint64_t* keys, Index size) const { std::sort(keys, keys + size); }
 
 private:
-  template <class Kernel> std::size_t least_per_thread() const {
-    if constexpr (requires { Kernel::kLeastPerThread; }) {
-      return std::min(Kernel::kLeastPerThread, least_per_thread_);
-    } else {
-      return least_per_thread_;
-    }
-  }
-
   std::size_t least_per_thread_;
   std::size_t threads_;
 };

@@ -2,11 +2,12 @@
 //
 // One film's share of the foam's Lagrangian
 //
-//   L(x, α, p) = Σ_films T·l − Σ_bubbles p·(A − A^τ),   T = 2γ,
+//   L(x, α, p) = Σ_films T·l − Σ_bubbles p·(A − A^τ)
 //
-// that is φ = T·l(d, α) − q·S(d, α) − q·½ a×b, with q = p_left − p_right, the film's ends a and b,
-// its chord d = |b − a| and its segment area S: its stationary points are the foam's equilibria.
-// ∂φ/∂α = 0 is the Laplace–Young law 2T sin α/d = q, the sum of ∂φ/∂x over a junction's films is
+// with the films' tensions T, 2γ for those that have none of their own. The share is
+// φ = T·l(d, α) − q·S(d, α) − q·½ a×b, with q = p_left − p_right, the film's ends a and b, its
+// chord d = |b − a| and its segment area S: its stationary points are the foam's equilibria. ∂φ/∂α
+// = 0 is the Laplace–Young law 2T sin α/d = q, the sum of ∂φ/∂x over a junction's films is
 // Plateau's balance of tensions, that of ∂φ/∂p over a bubble's films its area.
 #pragma once
 
@@ -34,7 +35,7 @@ struct FilmForces {
 };
 
 /// \param chord from a to b, cm; \param unit the same, of length 1; \param d its length, cm; \param
-/// q p_left − p_right, N/cm²; \param tension T = 2γ, N/cm.
+/// q p_left − p_right, N/cm²; \param tension T, N/cm.
 FOAM_HOST_DEVICE inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d,
                                                const ArcShape& shape, double q, double tension) {
   FilmForces forces;
@@ -49,7 +50,7 @@ FOAM_HOST_DEVICE inline FilmForces film_forces(Vec2 chord, Vec2 unit, double d,
 }
 
 /// \param chord from a to b, cm; \param alpha half-angle, rad; \param q p_left − p_right, N/cm²;
-/// \param tension T = 2γ, N/cm.
+/// \param tension T, N/cm.
 FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha, double q,
                                                        double tension) {
   const double d = norm(chord);

@@ -12,6 +12,8 @@
 namespace foam {
 
 inline constexpr double kLargestTurn = 0.5; ///< rad that an arc may turn in one step
+/// By which a junction may move in a step that is limited everywhere, of its shortest film.
+inline constexpr double kLargestMove = 0.3;
 
 /// Change of an arc's length to first order, cm. \param chord cm, and its change; \param alpha
 /// half-angle, rad, and its change, turn.

@@ -8,8 +8,8 @@
 namespace foam {
 namespace detail {
 
-template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Index film) {
-  return mesh.pinned(mesh.start(2 * film)) || mesh.pinned(mesh.end(2 * film));
+template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Film film) {
+  return !mesh.freedom(mesh.start(film.half())).any() || !mesh.freedom(mesh.end(film.half())).any();
 }
 
 } // namespace detail
@@ -17,32 +17,39 @@ template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Index
 /// Whether the bubbles along a film have more than three sides, so that a swap leaves each three or
 /// more: three-sided bubbles vanish by T2. Beside a container's wall two are enough, the wall and a
 /// film.
-template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Index film) {
+template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Film film) {
   const Index needed = detail::ends_on_wall(mesh, film) ? 3 : 4;
-  const auto spares = [&](Index b) { return b == kWorld || mesh.sides[Mesh::size(b)] >= needed; };
-  return spares(mesh.left(2 * film)) && spares(mesh.right(2 * film));
+  const auto spares = [&](Bubble b) { return b.is_outside() || mesh.sides[b] >= needed; };
+  return spares(mesh.left(film.half())) && spares(mesh.right(film.half()));
 }
 
 /// Whether the films at the ends of a short film pull it shut, and would pull the swapped film
 /// open: the physics of a T1, which a rule of length alone misses.
 ///
-/// With unit tangents t₁, t₂ at one end and t₃, t₄ at the other, t₁ and t₄ on the same side, the
-/// film's own tension 1 is overcome by the pairs across it if |t₁ + t₄| > 1, and they pull harder
-/// than those along it if |t₁ + t₄| > |t₁ + t₂|. The same must hold on the other side and at the
-/// other end. A film that ends on the wall of a container is pulled shut by whatever shortens it.
-template <class Mesh> FOAM_HOST_DEVICE bool pulled_shut(const Mesh& mesh, Index film) {
-  const Index h = 2 * film;
-  const Index t = h + 1;
+/// With forces f₁, f₂ of the other films at one end (tension times unit tangent) and f₃, f₄ at the
+/// other, f₁ and f₄ on the same side, the film's own tension T is overcome by the pairs across it
+/// if |f₁ + f₄| > T, and they pull harder than those along it if |f₁ + f₄| > |f₁ + f₂|. The same
+/// must hold on the other side and at the other end. A film that ends on the wall of a container is
+/// pulled shut by whatever shortens it.
+///
+/// One that pulls more than √2 times as hard as the other four can shrink to nothing without being
+/// pulled shut: the four hold each other in a point, which is no mesh of threes.
+template <class Mesh> FOAM_HOST_DEVICE bool pulled_shut(const Mesh& mesh, Film film) {
   if (detail::ends_on_wall(mesh, film)) {
     return true;
   }
-  const Vec2 t1 = mesh.tangent(mesh.next_around_junction(h));
-  const Vec2 t2 = mesh.tangent(mesh.previous_around_junction(h));
-  const Vec2 t3 = mesh.tangent(mesh.next_around_junction(t));
-  const Vec2 t4 = mesh.tangent(mesh.previous_around_junction(t));
-  const double across = std::min(norm(t1 + t4), norm(t2 + t3));
-  const double along = std::max(norm(t1 + t2), norm(t3 + t4));
-  return across > std::max(1.0, along);
+  const Half h = film.half();
+  const Half t = h.twin();
+  const auto force = [&](Half other) { // in units of 2γ
+    return mesh.relative_tension(other.film()) * mesh.tangent(other);
+  };
+  const Vec2 f1 = force(mesh.next_around_junction(h));
+  const Vec2 f2 = force(mesh.previous_around_junction(h));
+  const Vec2 f3 = force(mesh.next_around_junction(t));
+  const Vec2 f4 = force(mesh.previous_around_junction(t));
+  const double across = std::min(norm(f1 + f4), norm(f2 + f3));
+  const double along = std::max(norm(f1 + f2), norm(f3 + f4));
+  return across > std::max(mesh.relative_tension(film), along);
 }
 
 } // namespace foam

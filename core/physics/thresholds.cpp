@@ -25,9 +25,9 @@ Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions
 
 Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
   double total_area = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b)) {
-      total_area += foam.target_area[Foam::size(b)];
+      total_area += foam.target_area[b];
     }
   }
   return thresholds(total_area, foam.junction_count(), options);

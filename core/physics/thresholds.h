@@ -37,9 +37,9 @@ Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions
 namespace detail {
 
 struct IsJunction {
-  FoamView mesh;
+  ConstFoamView mesh;
 
-  FOAM_HOST_DEVICE Index operator()(Index junction) const {
+  FOAM_HOST_DEVICE Index operator()(Junction junction) const {
     return mesh.has_junction(junction) ? 1 : 0;
   }
 };
@@ -51,9 +51,9 @@ template <class Machine>
 Thresholds thresholds(Machine& machine, const FoamView& mesh, double total_area,
                       const ThresholdOptions& options) {
   const Index junctions =
-      options.relative
-          ? machine.reduce(mesh.junctions, Index{0}, detail::IsJunction{mesh}, parallel::Add{})
-          : 0;
+      options.relative ? machine.reduce(mesh.junction_slots(), Index{0},
+                                        detail::IsJunction{const_view(mesh)}, parallel::Add{})
+                       : 0;
   return thresholds(total_area, junctions, options);
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "geometry/vec2.h"
-#include "mesh/elements.h"
+#include "mesh/ids.h"
 
 namespace foam {
 

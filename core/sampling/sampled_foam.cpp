@@ -11,6 +11,7 @@ SampledFoam sample(const Foam& foam, double chord_error) {
   SampledFoam sampled =
       FoamSampler<Host>(host).sample(view_of(foam), BubbleNames<Host>(foam.bubble_id), chord_error);
   sampled.record = static_cast<const FoamRecord&>(foam);
+  sampled.exteriors = foam.exterior;
   return sampled;
 }
 

@@ -13,9 +13,9 @@ namespace foam {
 using Point3 = std::array<double, 3>; ///< cm; VTK's points have three coordinates, the last is 0
 
 /// A foam's films, a polyline for each, in the order of film_set(). The first points are the
-/// junctions, which films share. A film that crosses the border of the torus ends in a point of its
-/// own, a whole number of periods from its junction. Points inside arcs follow, each of one film
-/// alone.
+/// junctions, which films share. A film that crosses the border of a torus's cell ends in a point
+/// of its own, a whole number of periods from its junction. Points inside arcs follow, each of one
+/// film alone.
 struct FilmPolylines {
   std::vector<Point3> points;
   std::vector<std::int64_t> junction_id;  ///< of each point; −1 inside an arc
@@ -23,16 +23,17 @@ struct FilmPolylines {
   std::vector<std::int64_t> connectivity; ///< the points, from start to end
 
   // Of each film, as seen from its start.
-  std::vector<std::int64_t> left, right;   ///< BubbleId, −1 = world
+  std::vector<std::int64_t> left, right;   ///< BubbleId, or below 0 an outside
   std::vector<double> curvature;           ///< 1/cm, > 0 where the film bulges to the right
   std::vector<double> pressure_difference; ///< of the left bubble over the right one, N/cm²
   std::vector<double> length;              ///< cm
   std::vector<double> half_angle;          ///< rad
-  std::vector<int> on_boundary;            ///< 1 where a side is the world
+  std::vector<double> tension;             ///< N/cm; empty where all have 2γ
+  std::vector<int> on_boundary;            ///< 1 where a side is an outside
 };
 
 /// A foam's bubbles, a polygon for each in ascending order of id, counter-clockwise, in one piece
-/// and, on a torus, with its centroid in the box. Each begins where a fan of triangles covers it
+/// and, on a torus, with its centroid in the cell. Each begins where a fan of triangles covers it
 /// best. No point is shared.
 struct BubblePolygons {
   std::vector<Point3> points;
@@ -43,7 +44,8 @@ struct BubblePolygons {
 /// A foam as it is shown: all that VTK's arrays hold of it.
 struct SampledFoam {
   FoamRecord record;
-  double energy = 0; ///< N
+  std::vector<Exterior> exteriors; ///< the outsides
+  double energy = 0;               ///< N
   FilmPolylines films;
   BubblePolygons bubbles;
 };

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,23 +16,24 @@
 
 namespace foam {
 
-/// The names of a foam's bubbles, which they keep: what has to be sent to a machine once.
+/// The order of a foam's bubbles by their names, which they keep: what has to be sent to a machine
+/// once.
 template <class Machine> struct BubbleNames {
   BubbleNames() = default;
-  explicit BubbleNames(const std::vector<std::int64_t>& bubble_id)
-      : id(bubble_id), ascending(in_ascending_order(bubble_id)) {}
+  explicit BubbleNames(const Field<Bubble, std::int64_t>& bubble_id)
+      : ascending(in_ascending_order(bubble_id)) {}
 
-  typename Machine::template Array<std::int64_t> id;
-  typename Machine::template Array<Index> ascending; ///< the bubbles in the order of their ids
+  typename Machine::template Array<Bubble> ascending;
 
 private:
-  static std::vector<Index> in_ascending_order(const std::vector<std::int64_t>& bubble_id) {
-    std::vector<Index> order(bubble_id.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    if (!std::is_sorted(bubble_id.begin(), bubble_id.end())) {
-      std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-        return bubble_id[static_cast<std::size_t>(a)] < bubble_id[static_cast<std::size_t>(b)];
-      });
+  static std::vector<Bubble> in_ascending_order(const Field<Bubble, std::int64_t>& bubble_id) {
+    std::vector<Bubble> order;
+    order.reserve(bubble_id.size());
+    for (const Bubble b : Slots<Bubble>(static_cast<Index>(bubble_id.size()))) {
+      order.push_back(b);
+    }
+    if (!std::ranges::is_sorted(bubble_id)) {
+      std::ranges::sort(order, {}, [&](Bubble b) { return bubble_id[b]; });
     }
     return order;
   }
@@ -42,30 +43,30 @@ namespace detail {
 
 /// The bubbles that are there, in the order of their ids.
 struct PresentBubble {
-  FoamView mesh;
-  const Index* ascending = nullptr;
+  ConstFoamView mesh;
+  const Bubble* ascending = nullptr;
 
-  FOAM_HOST_DEVICE Index operator()(Index i) const {
-    return mesh.has_bubble(ascending[i]) ? ascending[i] : kNone;
+  FOAM_HOST_DEVICE Bubble operator()(Index i) const {
+    return mesh.has_bubble(ascending[i]) ? ascending[i] : Bubble(kNone);
   }
 };
 
 /// What takes long to compute of an arc, and is asked for by both of its sides.
 struct ArcMeasures {
   double length = 0;  ///< cm
-  double segment = 0; ///< area between arc and chord as seen from half-film 2f, cm²
+  double segment = 0; ///< area between arc and chord as seen from the film's half(), cm²
 };
 
 struct MeasureArc {
   static constexpr std::size_t kLeastPerThread = 2048;
 
-  FoamView mesh;
-  ArcMeasures* arcs = nullptr;
+  ConstFoamView mesh;
+  FieldView<Film, ArcMeasures> arcs;
 
-  FOAM_HOST_DEVICE void operator()(Index film) const {
+  FOAM_HOST_DEVICE void operator()(Film film) const {
     if (mesh.has_film(film)) {
-      const double chord = norm(mesh.chord(2 * film));
-      const double alpha = mesh.half_angle(2 * film);
+      const double chord = norm(mesh.chord(film.half()));
+      const double alpha = mesh.half_angle(film.half());
       arcs[film] = {arc_length(chord, alpha), segment_area(chord, alpha)};
     }
   }
@@ -73,34 +74,32 @@ struct MeasureArc {
 
 /// tense_length() of films whose arcs have been measured.
 struct TenseLength {
-  FoamView mesh;
-  const ArcMeasures* arcs = nullptr;
+  ConstFoamView mesh;
+  ConstFieldView<Film, ArcMeasures> arcs;
 
-  FOAM_HOST_DEVICE double operator()(Index film) const {
-    return mesh.has_film(film) && !mesh.wall(2 * film) ? arcs[film].length : 0;
+  FOAM_HOST_DEVICE double operator()(Film film) const {
+    return mesh.bends(film) ? mesh.relative_tension(film) * arcs[film].length : 0;
   }
 };
 
 struct RecordBubble {
   static constexpr std::size_t kLeastPerThread = 2048;
 
-  FoamView mesh;
-  const ArcMeasures* arcs = nullptr;
-  const std::int64_t* id = nullptr;
-  const Index* bubbles = nullptr;
+  ConstFoamView mesh;
+  ConstFieldView<Film, ArcMeasures> arcs;
+  const Bubble* bubbles = nullptr;
   BubbleStatistics* records = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    const Index bubble = bubbles[i];
+    const Bubble bubble = bubbles[i];
     BubbleStatistics record;
-    record.id = id[bubble];
-    record.area = mesh.area(bubble, [this](Index film) { return arcs[film].segment; });
+    record.id = mesh.bubble_id[bubble];
+    record.area = mesh.area(bubble, [this](Film film) { return arcs[film].segment; });
     record.target_area = mesh.target_area[bubble];
     record.pressure = mesh.pressure[bubble];
     record.sides = mesh.sides[bubble];
-    for_each_half(mesh, bubble,
-                  [&](Index h) { record.perimeter += arcs[FoamView::film_of(h)].length; });
-    record.on_boundary = mesh.bubble_on_world(bubble);
+    for_each_half(mesh, bubble, [&](Half h) { record.perimeter += arcs[h.film()].length; });
+    record.on_boundary = mesh.bubble_on_outside(bubble);
     records[i] = record;
   }
 };
@@ -112,35 +111,36 @@ template <class Machine> class BubbleRecords {
 public:
   explicit BubbleRecords(Machine& machine) : machine_(machine), bubbles_(machine) {}
 
-  void measure(const FoamView& mesh, const BubbleNames<Machine>& names) {
+  void measure(const ConstFoamView& mesh, const BubbleNames<Machine>& names) {
     bubbles_.find(mesh.bubbles, detail::PresentBubble{mesh, names.ascending.data()});
-    records_.resize(FoamView::size(bubbles_.count()));
-    arcs_.resize(FoamView::size(mesh.films));
-    machine_.for_each(mesh.films, detail::MeasureArc{mesh, arcs_.data()});
-    machine_.for_each(bubbles_.count(), detail::RecordBubble{mesh, arcs_.data(), names.id.data(),
-                                                             bubbles_.list(), records_.data()});
+    records_.resize(place_of(bubbles_.count()));
+    arcs_.resize(place_of(mesh.films));
+    machine_.for_each(mesh.film_slots(),
+                      detail::MeasureArc{mesh, FieldView<Film, detail::ArcMeasures>(arcs_.data())});
+    machine_.for_each(bubbles_.count(),
+                      detail::RecordBubble{mesh, arcs(), bubbles_.list(), records_.data()});
   }
 
-  /// Film energy 2γ·Σl of the mesh that has been measured, N (Foam::energy).
-  double energy(const FoamView& mesh) {
-    return 2 * mesh.surface_tension *
-           machine_.reduce(mesh.films, 0.0, detail::TenseLength{mesh, arcs_.data()},
-                           parallel::Add{});
+  /// Energy Σ T·l of the mesh that has been measured, N (Foam::energy).
+  double energy(const ConstFoamView& mesh) {
+    return mesh.reference_tension() * machine_.reduce(mesh.film_slots(), 0.0,
+                                                      detail::TenseLength{mesh, arcs()},
+                                                      parallel::Add{});
   }
 
   Index count() const { return bubbles_.count(); }
-  /// The bubbles' places in the mesh.
-  const Index* bubbles() const { return bubbles_.list(); }
+  const Bubble* bubbles() const { return bubbles_.list(); }
   const BubbleStatistics* records() const { return records_.data(); }
-  /// By film of the mesh.
-  const detail::ArcMeasures* arcs() const { return arcs_.data(); }
+  ConstFieldView<Film, detail::ArcMeasures> arcs() const {
+    return ConstFieldView<Film, detail::ArcMeasures>(arcs_.data());
+  }
 
   /// The records, for this machine; only measure() may follow.
   std::vector<BubbleStatistics> fetch_records() { return fetch(std::move(records_)); }
 
 private:
   Machine& machine_;
-  parallel::Numbering<Machine> bubbles_;
+  parallel::Numbering<Machine, Bubble> bubbles_;
   typename Machine::template Array<BubbleStatistics> records_;
   typename Machine::template Array<detail::ArcMeasures> arcs_;
 };

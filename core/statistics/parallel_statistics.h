@@ -33,8 +33,8 @@ namespace detail {
 
 /// What a bubble adds to the sums for n.
 struct AddToSides {
-  FoamView mesh;
-  const Index* bubbles = nullptr;
+  ConstFoamView mesh;
+  const Bubble* bubbles = nullptr;
   const BubbleStatistics* records = nullptr;
   bool include_boundary = false;
   Index sides = 0; ///< n
@@ -58,11 +58,11 @@ struct AddToSides {
   }
 
   /// NaN without neighbours.
-  FOAM_HOST_DEVICE double mean_neighbour_sides(Index bubble) const {
+  FOAM_HOST_DEVICE double mean_neighbour_sides(Bubble bubble) const {
     double sum = 0;
     double count = 0;
-    for_each_half(mesh, bubble, [&](Index h) {
-      if (mesh.right(h) != kWorld) {
+    for_each_half(mesh, bubble, [&](Half h) {
+      if (!mesh.right(h).is_outside()) {
         sum += mesh.sides[mesh.right(h)];
         ++count;
       }
@@ -89,7 +89,7 @@ public:
   explicit ParallelStatistics(Machine& machine) : machine_(machine), records_(machine) {}
 
   /// statistics() of the foam: one reduction over the bubbles for each n that occurs.
-  FoamStatistics measure(const FoamView& mesh, const BubbleNames<Machine>& names,
+  FoamStatistics measure(const ConstFoamView& mesh, const BubbleNames<Machine>& names,
                          bool include_boundary) {
     records_.measure(mesh, names);
     const auto sums_with = [&](Index n) {

@@ -24,12 +24,12 @@ struct SideStatistics {
   Index sides = 0;
   Index count = 0;
   double fraction = 0;             ///< p(n)
-  double mean_neighbour_sides = 0; ///< m(n); the world is nobody's neighbour
+  double mean_neighbour_sides = 0; ///< m(n); no outside is a neighbour
   double mean_relative_area = 0;   ///< ⟨A_n⟩/⟨A⟩ (Lewis's law)
 };
 
-/// A foam in figures (thesis 2.6). Averages leave out bubbles on the world unless told otherwise;
-/// energy is the whole foam's. Averages over no bubble are NaN.
+/// A foam in figures (thesis 2.6). Averages leave out bubbles beside an outside unless told
+/// otherwise; energy is the whole foam's. Averages over no bubble are NaN.
 struct FoamStatistics {
   Index bubbles = 0;
   double mean_sides = 0;
@@ -42,7 +42,7 @@ struct FoamStatistics {
   std::vector<BubbleStatistics> each;   ///< in ascending order of id
 };
 
-/// \param include_boundary whether bubbles that touch the world count in the averages.
+/// \param include_boundary whether bubbles beside an outside count in the averages.
 FoamStatistics statistics(const Foam& foam, bool include_boundary);
 
 } // namespace foam

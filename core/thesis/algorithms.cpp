@@ -12,23 +12,22 @@ namespace {
 constexpr int kMostSwaps = 3;
 
 /// Removes the first bubble around the junction that gives way, or else swaps the first film.
-bool collapse_around(const Foam& foam, Collapse& collapse, Index junction) {
-  const std::array<Index, 3> halves = foam.junction_half[Foam::size(junction)];
+bool collapse_around(const Foam& foam, Collapse& collapse, Junction junction) {
+  const std::array<Half, 3> halves = foam.junction_half[junction];
   return std::ranges::any_of(halves,
-                             [&](Index h) {
-                               const Index b = foam.left(h);
-                               return b != kWorld && collapse.bubble(b).performed;
+                             [&](Half h) {
+                               const Bubble b = foam.left(h);
+                               return !b.is_outside() && collapse.bubble(b).performed;
                              }) ||
-         std::ranges::any_of(halves,
-                             [&](Index h) { return collapse.film(Foam::film_of(h)).performed; });
+         std::ranges::any_of(halves, [&](Half h) { return collapse.film(h.film()).performed; });
 }
 
 } // namespace
 
 CascadeResult original_algorithm(Foam& foam, const CollapseRules& rules,
-                                 const std::function<void(Foam&, Index)>& equilibrate) {
+                                 const std::function<void(Foam&, Junction)>& equilibrate) {
   Collapse collapse(foam, rules);
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j) && !collapse_around(foam, collapse, j)) {
       equilibrate(foam, j);
     }
@@ -38,16 +37,16 @@ CascadeResult original_algorithm(Foam& foam, const CollapseRules& rules,
 
 CascadeResult improved_algorithm(Foam& foam, const CollapseRules& rules) {
   Collapse collapse(foam, rules);
-  std::vector<int> swaps(foam.film_angle.size(), 0);
+  Field<Film, int> swaps(foam.film_angle.size(), 0);
   bool again = true;
   while (again) {
     again = false;
-    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+    for (const Bubble b : foam.bubble_slots()) {
       again = collapse.bubble(b).performed || again;
     }
-    for (Index f = 0; f < foam.film_capacity(); ++f) {
-      if (swaps[Foam::size(f)] < kMostSwaps && collapse.film(f).performed) {
-        ++swaps[Foam::size(f)];
+    for (const Film f : foam.film_slots()) {
+      if (swaps[f] < kMostSwaps && collapse.film(f).performed) {
+        ++swaps[f];
         again = true;
       }
     }

@@ -14,7 +14,7 @@ namespace foam {
 /// of which either a bubble is removed, or a film swapped, or, where nothing wants to give way, the
 /// junction equilibrated. It misses cascades.
 CascadeResult original_algorithm(Foam& foam, const CollapseRules& rules,
-                                 const std::function<void(Foam&, Index junction)>& equilibrate);
+                                 const std::function<void(Foam&, Junction junction)>& equilibrate);
 
 /// The improved algorithm (thesis Figure 4.6): all bubbles, then all films, again and again until
 /// nothing gives way. It misses a T2 that one T1 makes possible and the next one impossible.

@@ -11,19 +11,19 @@ namespace foam::thesis {
 struct AngleRootSearch {
   static constexpr std::size_t kConditions = 2;
 
-  /// The angles that are left: not the world's, or else not the last (3.4.1). Angle k lies between
+  /// The angles that are left: not an outside's, or else not the last (3.4.1). Angle k lies between
   /// films k and k + 1.
   FOAM_HOST_DEVICE static std::array<std::size_t, kConditions> angles(const JunctionStar& star) {
-    if (star.bubble[0] == kWorld) {
+    if (star.bubble[0].is_outside()) {
       return {1, 2};
     }
-    return star.bubble[1] == kWorld ? std::array<std::size_t, 2>{0, 2}
-                                    : std::array<std::size_t, 2>{0, 1};
+    return star.bubble[1].is_outside() ? std::array<std::size_t, 2>{0, 2}
+                                       : std::array<std::size_t, 2>{0, 1};
   }
 
   /// θ, rad.
   FOAM_HOST_DEVICE static std::array<double, kConditions> values(const JunctionStar& star) {
-    const auto theta = film_angles(star);
+    const auto theta = angles_between(star);
     const auto [a, b] = angles(star);
     return {theta[a], theta[b]};
   }

@@ -56,7 +56,7 @@ struct EnergyRootSearch {
   FOAM_HOST_DEVICE static std::array<double, kConditions> values(const JunctionStar& star) {
     std::array<double, kConditions> energy{};
     for (std::size_t k = 0; k < 3; ++k) {
-      energy[k] = 2 * star.surface_tension * film_length(star, k);
+      energy[k] = star.tension * film_length(star, k);
     }
     return energy;
   }
@@ -67,7 +67,7 @@ struct EnergyRootSearch {
     if (target == EnergyTarget::Straight) {
       const Vec2 steiner = steiner_point(star.chord);
       for (std::size_t k = 0; k < 3; ++k) {
-        energy[k] = 2 * star.surface_tension * norm(star.chord[k] - steiner);
+        energy[k] = star.tension * norm(star.chord[k] - steiner);
       }
     }
     return energy;
@@ -77,9 +77,8 @@ struct EnergyRootSearch {
   FOAM_HOST_DEVICE static JunctionStep solve(const JunctionStar& star,
                                              JunctionSystem<EnergyRootSearch> system) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (star.bubble[k] != kWorld) {
-        const double pressure =
-            2 * star.surface_tension * std::sqrt(std::numbers::pi / star.target_area[k]);
+      if (!star.bubble[k].is_outside()) {
+        const double pressure = star.tension * std::sqrt(std::numbers::pi / star.target_area[k]);
         for (double& derivative : system.jacobian[k]) {
           derivative *= pressure;
         }

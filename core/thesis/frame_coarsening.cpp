@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "coarsening/diffusion.h"
 #include "parallel/host.h"
+#include "physics/gas.h"
 #include "thesis/algorithms.h"
 #include "thesis/junction_step.h"
+#include "thesis/one_tension.h"
 #include "thesis/rules.h"
 #include "topology/cascade.h"
 #include "topology/collapse_bids.h"
@@ -17,7 +18,7 @@ namespace foam {
 namespace {
 
 template <class Visit> void for_each_bubble(const Foam& foam, Visit&& visit) {
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b)) {
       visit(b);
     }
@@ -26,32 +27,32 @@ template <class Visit> void for_each_bubble(const Foam& foam, Visit&& visit) {
 
 /// A^τ ← A^τ + dA/dt·Δt (3.7.1).
 void diffuse(Foam& foam, double permeability, double time_step) {
-  const std::vector<double> rate = area_rates(foam, permeability);
-  for_each_bubble(
-      foam, [&](Index b) { foam.target_area[Foam::size(b)] += rate[Foam::size(b)] * time_step; });
+  const Field<Bubble, double> rate = area_rates(foam, permeability);
+  for_each_bubble(foam, [&](Bubble b) { foam.target_area[b] += rate[b] * time_step; });
 }
 
 void slide_two_sided_bubbles(Foam& foam, const ThesisRules& rules) {
-  for_each_bubble(foam, [&](Index b) {
-    if (foam.sides[Foam::size(b)] == 2 && rules.slides(foam, b)) {
+  for_each_bubble(foam, [&](Bubble b) {
+    if (foam.sides[b] == 2 && rules.slides(foam, b)) {
       slide_two_sided_bubble(foam, b, rules.two_sided().sliding_distance());
     }
   });
 }
 
 CollapseRules collapse_rules(const ThesisRules& rules) {
-  return {.t1 = [=](const Foam& foam, Index film) { return rules.shrunk(foam, film); },
-          .t2 = [=](const Foam& foam, Index b) { return rules.vanishes(foam, b); },
+  return {.t1 = [=](const Foam& foam, Film film) { return rules.shrunk(foam, film); },
+          .t2 = [=](const Foam& foam, Bubble b) { return rules.vanishes(foam, b); },
           .t3 = [=](const Foam& foam,
-                    Index b) { return !rules.slides(foam, b) && rules.vanishes(foam, b); }};
+                    Bubble b) { return !rules.slides(foam, b) && rules.vanishes(foam, b); }};
 }
 
 /// All operations in the rounds of topology/bidding.h.
 void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
   Host host;
-  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const OperationCount performed =
-      Bidding<Host>(host).run(view_of(foam), CollapseBids<ThesisRules>{rules, swappable.data()});
+  Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
+  const OperationCount performed = Bidding<Host>(host).run(
+      view_of(foam),
+      CollapseBids<ThesisRules>{rules, FieldView<Film, std::uint8_t>(swappable.data())});
   count(foam, performed);
 }
 
@@ -62,7 +63,7 @@ void perform_topological_operations(Foam& foam, const ThesisRules& rules,
     topological_cascade(foam, collapse_rules(rules));
     break;
   case TopologicalAlgorithm::Original:
-    original_algorithm(foam, collapse_rules(rules), [&](Foam& now, Index junction) {
+    original_algorithm(foam, collapse_rules(rules), [&](Foam& now, Junction junction) {
       thesis::equilibrate_junction(now, junction, options.equilibrator.junction);
     });
     break;
@@ -78,8 +79,8 @@ void perform_topological_operations(Foam& foam, const ThesisRules& rules,
 /// A bubble that ought to have vanished but could not be removed, a neighbour of its being
 /// two-sided, say, goes on as a tiny one: no pressure gives a bubble an area of zero or less.
 void keep_targets_above(Foam& foam, double least) {
-  for_each_bubble(foam, [&](Index b) {
-    double& target = foam.target_area[Foam::size(b)];
+  for_each_bubble(foam, [&](Bubble b) {
+    double& target = foam.target_area[b];
     target = std::max(target, least);
   });
 }
@@ -87,9 +88,9 @@ void keep_targets_above(Foam& foam, double least) {
 /// Whether one of a double bubble's two vanishes.
 bool comes_to_an_end(const Foam& foam, double t2_area) {
   bool end = false;
-  if (foam.boundary == Boundary::Free && foam.bubble_count() == 2) {
-    for_each_bubble(foam, [&](Index b) {
-      end = end || std::min(foam.target_area[Foam::size(b)], foam.area(b)) <= t2_area;
+  if (!foam.surroundings.closed() && foam.bubble_count() == 2) {
+    for_each_bubble(foam, [&](Bubble b) {
+      end = end || std::min(foam.target_area[b], foam.area(b)) <= t2_area;
     });
   }
   return end;
@@ -102,6 +103,7 @@ FrameCoarsening::FrameCoarsening(const CoarseningOptions& options,
     : options_(options), equilibrator_(std::move(equilibrator)) {}
 
 void FrameCoarsening::restart(Foam foam) {
+  thesis::require_one_tension(foam);
   foam_ = std::move(foam);
   equilibrator_->forget();
 }

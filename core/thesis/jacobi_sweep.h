@@ -11,8 +11,9 @@
 
 #include "base/abort.h"
 #include "equilibrium/options.h"
-#include "equilibrium/parallel_measures.h"
+#include "equilibrium/measures.h"
 #include "thesis/junction_step.h"
+#include "thesis/one_tension.h"
 #include "thesis/update_order.h"
 
 namespace foam::thesis {
@@ -37,11 +38,11 @@ namespace detail {
 struct Solve {
   static constexpr std::size_t kLeastPerThread = 64;
 
-  FoamView mesh;
+  ConstFoamView mesh;
   JunctionOptions options;
-  JunctionStep* step = nullptr;
+  FieldView<Junction, JunctionStep> step;
 
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
+  FOAM_HOST_DEVICE void operator()(Junction junction) const {
     if (mesh.has_junction(junction)) {
       step[junction] = junction_step(mesh, junction, options);
     }
@@ -52,11 +53,11 @@ struct Move {
   FoamView mesh;
   JunctionOptions options;
   Index wave = 0;
-  const Index* wave_of = nullptr;
-  const JunctionStep* step = nullptr;
-  JunctionChange* change = nullptr;
+  ConstFieldView<Junction, Index> wave_of;
+  ConstFieldView<Junction, JunctionStep> step;
+  FieldView<Junction, JunctionChange> change;
 
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
+  FOAM_HOST_DEVICE void operator()(Junction junction) const {
     if (wave_of[junction] == wave && mesh.has_junction(junction)) {
       FoamView moved = mesh;
       change[junction] = move_junction(moved, junction, step[junction], options);
@@ -66,14 +67,14 @@ struct Move {
 
 struct GatherPressure {
   FoamView mesh;
-  const JunctionChange* change = nullptr;
+  ConstFieldView<Junction, JunctionChange> change;
 
-  FOAM_HOST_DEVICE void operator()(Index bubble) const {
+  FOAM_HOST_DEVICE void operator()(Bubble bubble) const {
     if (mesh.has_bubble(bubble)) {
       double sum = 0;
-      for_each_half(mesh, bubble, [&](Index h) {
-        const Index junction = mesh.start(h);
-        const std::array<Index, 3>& halves = mesh.junction_half[FoamView::size(junction)];
+      for_each_half(mesh, bubble, [&](Half h) {
+        const Junction junction = mesh.start(h);
+        const std::array<Half, 3>& halves = mesh.junction_half[junction];
         const std::size_t k = halves[0] == h ? 0 : (halves[1] == h ? 1 : 2);
         sum += change[junction].pressure[k];
       });
@@ -83,10 +84,10 @@ struct GatherPressure {
 };
 
 struct MaximaOf {
-  FoamView mesh;
-  const JunctionChange* change = nullptr;
+  ConstFoamView mesh;
+  ConstFieldView<Junction, JunctionChange> change;
 
-  FOAM_HOST_DEVICE Maxima operator()(Index junction) const {
+  FOAM_HOST_DEVICE Maxima operator()(Junction junction) const {
     Maxima maxima;
     if (mesh.has_junction(junction)) {
       maxima.include(change[junction]);
@@ -106,13 +107,13 @@ struct LargerOfEach {
 struct WriteHalfAngle {
   FoamView mesh;
 
-  FOAM_HOST_DEVICE void operator()(Index film) const {
-    const Index h = 2 * film;
+  FOAM_HOST_DEVICE void operator()(Film film) const {
+    const Half h = film.half();
     if (mesh.has_film(film)) {
-      const double difference = mesh.pressure_of(mesh.left(h)) - mesh.pressure_of(mesh.right(h));
       mesh.film_angle[film] =
           mesh.wall(h) ? 0
-                       : thesis_half_angle(norm(mesh.chord(h)), difference, mesh.surface_tension);
+                       : thesis_half_angle(norm(mesh.chord(h)), mesh.pressure_difference(h),
+                                           mesh.reference_tension());
     }
   }
 };
@@ -127,19 +128,25 @@ public:
 
   /// Prepares for a mesh; to be called anew after every topological change.
   void prepare(const FoamView& mesh) {
-    order_.find(mesh, constraint_reach(options_));
-    step_.resize(FoamView::size(mesh.junctions));
-    change_.resize(FoamView::size(mesh.junctions));
+    order_.find(const_view(mesh), constraint_reach(options_));
+    step_.resize(place_of(mesh.junctions));
+    change_.resize(place_of(mesh.junctions));
   }
 
   Maxima sweep(const FoamView& mesh) {
-    machine_.for_each(mesh.junctions, detail::Solve{mesh, options_, step_.data()});
+    const Slots<Junction> junctions = mesh.junction_slots();
+    const ConstFoamView state = const_view(mesh);
+    const FieldView<Junction, JunctionStep> step(step_.data());
+    const FieldView<Junction, JunctionChange> change(change_.data());
+    const ConstFieldView<Junction, JunctionStep> solved(step.data());
+    const ConstFieldView<Junction, JunctionChange> made(change.data());
+    machine_.for_each(junctions, detail::Solve{state, options_, step});
     for (Index wave = 0; wave < order_.waves(); ++wave) {
-      machine_.for_each(mesh.junctions, detail::Move{mesh, options_, wave, order_.wave(),
-                                                     step_.data(), change_.data()});
+      machine_.for_each(junctions,
+                        detail::Move{mesh, options_, wave, order_.wave(), solved, change});
     }
-    machine_.for_each(mesh.bubbles, detail::GatherPressure{mesh, change_.data()});
-    return machine_.reduce(mesh.junctions, Maxima{}, detail::MaximaOf{mesh, change_.data()},
+    machine_.for_each(mesh.bubble_slots(), detail::GatherPressure{mesh, made});
+    return machine_.reduce(junctions, Maxima{}, detail::MaximaOf{state, made},
                            detail::LargerOfEach{});
   }
 
@@ -160,11 +167,13 @@ inline bool halt(const Maxima& now, const Maxima& old, const JunctionOptions& op
 }
 
 /// Calls sweep() until the halting rule is met, then gives the films the half-angles of their
-/// pressures and measures what was reached. \throws Aborted between two sweeps.
+/// pressures and measures what was reached. \throws Aborted between two sweeps, and FoamError
+/// before the first for a mesh that the method is not made for.
 template <class Machine, class Sweep>
 EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
                                 const EquilibratorOptions& options, const AbortCheck& aborted,
                                 Sweep&& sweep) {
+  require_one_tension(mesh);
   EquilibriumReport report;
   Maxima now;
   bool halted = false;
@@ -177,8 +186,8 @@ EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
     ++report.iterations;
     halted = halt(now, old, options.junction);
   }
-  machine.for_each(mesh.films, detail::WriteHalfAngle{mesh});
-  const EquilibriumMeasures measures = measure_equilibrium(machine, mesh);
+  machine.for_each(mesh.film_slots(), detail::WriteHalfAngle{mesh});
+  const EquilibriumMeasures measures = measure_equilibrium(machine, const_view(mesh));
   report.max_angle_error = measures.angle_error;
   report.max_area_error = measures.area_error;
   report.residual = std::max(report.max_angle_error, report.max_area_error);

@@ -7,7 +7,7 @@ namespace {
 /// Figure 3.13: each junction solves against what the ones before it have left.
 thesis::Maxima sweep_gauss_seidel(Foam& foam, const JunctionOptions& options) {
   thesis::Maxima maxima;
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j)) {
       maxima.include(thesis::equilibrate_junction(foam, j, options));
     }
@@ -22,8 +22,8 @@ JunctionEquilibrator::JunctionEquilibrator(const EquilibratorOptions& options, i
 
 EquilibriumReport JunctionEquilibrator::equilibrate(Foam& foam, double /*t1_length*/,
                                                     const AbortCheck& aborted) {
-  const std::vector<Vec2> position = foam.position;
-  const std::vector<double> pressure = foam.pressure;
+  const Field<Junction, Vec2> position = foam.position;
+  const Field<Bubble, double> pressure = foam.pressure;
   const FoamView mesh = view_of(foam);
   const bool jacobi = options_.junction.sweep == Sweep::Jacobi;
   if (jacobi) {

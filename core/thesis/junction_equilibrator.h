@@ -18,8 +18,8 @@ namespace foam {
 ///
 /// With RootSearch::Energies it asks what the thesis proposes in its 7.1.1, see EnergyRootSearch.
 ///
-/// Topology is left alone: t1_length is not used. The result depends on the foam alone, not on the
-/// number of threads.
+/// It knows one tension: a foam of films with their own is refused. Topology is left alone:
+/// t1_length is not used. The result depends on the foam alone, not on the number of threads.
 class JunctionEquilibrator final : public Equilibrator {
 public:
   /// \param options in range. \param threads that a Jacobi sweep may use; 0 stands for all there

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "equilibrium/options.h"
+#include "mesh/foam.h"
 #include "thesis/angle_root_search.h"
 #include "thesis/energy_root_search.h"
 
@@ -13,8 +14,8 @@ namespace foam::thesis {
 /// The junction's own solution z by a root search, undamped. Not finite where its system is
 /// singular.
 template <class Search, class Mesh>
-FOAM_HOST_DEVICE JunctionStep junction_step(const Search& search, const Mesh& mesh, Index junction,
-                                            const JunctionOptions& options) {
+FOAM_HOST_DEVICE JunctionStep junction_step(const Search& search, const Mesh& mesh,
+                                            Junction junction, const JunctionOptions& options) {
   const JunctionStar star = junction_star(mesh, junction);
   const DifferenceOptions difference{options.finite_difference_step, options.jacobian_tolerance,
                                      options.minimum_scale};
@@ -23,7 +24,7 @@ FOAM_HOST_DEVICE JunctionStep junction_step(const Search& search, const Mesh& me
 
 /// By the root search that is asked for.
 template <class Mesh>
-FOAM_HOST_DEVICE JunctionStep junction_step(const Mesh& mesh, Index junction,
+FOAM_HOST_DEVICE JunctionStep junction_step(const Mesh& mesh, Junction junction,
                                             const JunctionOptions& options) {
   return options.root_search == RootSearch::Energies
              ? junction_step(EnergyRootSearch{options.energy_target}, mesh, junction, options)
@@ -33,7 +34,7 @@ FOAM_HOST_DEVICE JunctionStep junction_step(const Mesh& mesh, Index junction,
 /// The constraints on a junction's movement (thesis 3.5), against the state they are made in.
 template <class Mesh> class MovementConstraints {
 public:
-  FOAM_HOST_DEVICE MovementConstraints(const Mesh& mesh, Index junction,
+  FOAM_HOST_DEVICE MovementConstraints(const Mesh& mesh, Junction junction,
                                        const JunctionOptions& options)
       : mesh_(mesh), junction_(junction), energy_decay_(options.energy_decay),
         orientation_invariant_(options.orientation_invariant) {
@@ -75,7 +76,7 @@ private:
   }
 
   const Mesh& mesh_;
-  Index junction_;
+  Junction junction_;
   bool energy_decay_;
   bool orientation_invariant_;
   double energy_ = 0;
@@ -103,18 +104,19 @@ FOAM_HOST_DEVICE inline JunctionChange share_of(const JunctionStep& step, double
 /// same share of their step (Figure 4.2). Where no scale above the minimum will do, or the step is
 /// not finite, nothing changes. A junction that is pinned to a wall stays, and its pressures get τ.
 template <class Mesh>
-FOAM_HOST_DEVICE JunctionChange move_junction(Mesh& mesh, Index junction, const JunctionStep& step,
+FOAM_HOST_DEVICE JunctionChange move_junction(Mesh& mesh, Junction junction,
+                                              const JunctionStep& step,
                                               const JunctionOptions& options) {
   JunctionChange nothing;
   if (!step.finite()) {
     nothing.solvable = false;
     return nothing;
   }
-  if (mesh.pinned(junction)) {
+  if (!mesh.freedom(junction).any()) {
     return share_of(step, options.damping);
   }
   const MovementConstraints<Mesh> constraints(mesh, junction, options);
-  Vec2& position = mesh.position[Mesh::size(junction)];
+  Vec2& position = mesh.position[junction];
   const Vec2 old = position;
   for (double scale = 1; scale > options.minimum_scale; scale *= 0.5) {
     const JunctionChange change = share_of(step, options.damping * scale);
@@ -129,6 +131,6 @@ FOAM_HOST_DEVICE JunctionChange move_junction(Mesh& mesh, Index junction, const 
 
 /// Equilibrates one junction: solves its system, moves it and passes the pressure changes, divided
 /// by the bubbles' numbers of films (3.1.3), to its bubbles.
-JunctionChange equilibrate_junction(Foam& foam, Index junction, const JunctionOptions& options);
+JunctionChange equilibrate_junction(Foam& foam, Junction junction, const JunctionOptions& options);
 
 } // namespace foam::thesis

@@ -3,11 +3,8 @@
 // The equations of one junction (thesis 3.1): the areas of its three bubbles and what a root search
 // asks of its three films, against the three pressures and its position.
 //
-// Functions are templates of the mesh, a Foam or what stands for one on another device; it offers
-// start, end, left, right, next_in_bubble, chord, pressure_of, wall and pinned as Foam does, and
-// its arrays junction_half, target_area and surface_tension.
-//
-// They are templates of the root search, too, AngleRootSearch or EnergyRootSearch. It offers
+// Functions are templates of the mesh, a Foam or what stands for one on another device
+// (mesh/mesh_access.h), and of the root search, AngleRootSearch or EnergyRootSearch. That offers
 //   kConditions           the number of its conditions on the films,
 //   values(star)          the quantities that its conditions are about,
 //   targets(star)         what these shall be, and
@@ -20,7 +17,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "mesh/foam.h"
+#include "mesh/mesh_access.h"
 #include "thesis/thesis_film.h"
 
 namespace foam::thesis {
@@ -28,12 +25,12 @@ namespace foam::thesis {
 /// A junction with its three films and bubbles, counter-clockwise. Bubble k lies on the left of
 /// film k, between films k and k + 1.
 struct JunctionStar {
-  std::array<Index, 3> half{};         ///< outgoing
-  std::array<Index, 3> bubble{};       ///< kWorld among them on a free boundary
+  std::array<Half, 3> half{};          ///< outgoing
+  std::array<Bubble, 3> bubble{};      ///< or outsides
   std::array<Vec2, 3> chord{};         ///< e_k = x_k − x, cm
   std::array<double, 3> pressure{};    ///< of the bubbles, N/cm²
-  std::array<double, 3> target_area{}; ///< A^τ of the bubbles, cm²; the world has none
-  double surface_tension = 0;          ///< γ, N/cm
+  std::array<double, 3> target_area{}; ///< A^τ of the bubbles, cm²; an outside has none
+  double tension = 0;                  ///< of all films, 2γ, N/cm
 };
 
 /// The quantities that a junction's equations are about.
@@ -76,16 +73,16 @@ FOAM_HOST_DEVICE inline constexpr std::size_t before(std::size_t k) {
 }
 
 template <class Mesh>
-FOAM_HOST_DEVICE JunctionStar junction_star(const Mesh& mesh, Index junction) {
+FOAM_HOST_DEVICE JunctionStar junction_star(const Mesh& mesh, Junction junction) {
   JunctionStar star;
-  star.half = mesh.junction_half[Foam::size(junction)];
-  star.surface_tension = mesh.surface_tension;
+  star.half = mesh.junction_half[junction];
+  star.tension = mesh.reference_tension();
   for (std::size_t k = 0; k < 3; ++k) {
     star.bubble[k] = mesh.left(star.half[k]);
     star.chord[k] = mesh.chord(star.half[k]);
     star.pressure[k] = mesh.pressure_of(star.bubble[k]);
-    if (star.bubble[k] != kWorld) {
-      star.target_area[k] = mesh.target_area[Foam::size(star.bubble[k])];
+    if (!star.bubble[k].is_outside()) {
+      star.target_area[k] = mesh.target_area[star.bubble[k]];
     }
   }
   return star;
@@ -94,7 +91,7 @@ FOAM_HOST_DEVICE JunctionStar junction_star(const Mesh& mesh, Index junction) {
 /// Half-angle of the junction's film k, bubble k on its left, bubble k − 1 on its right.
 FOAM_HOST_DEVICE inline double half_angle(const JunctionStar& star, std::size_t k) {
   return thesis_half_angle(norm(star.chord[k]), star.pressure[k] - star.pressure[before(k)],
-                           star.surface_tension);
+                           star.tension);
 }
 
 /// φ, the angle that turns edge a into edge b counter-clockwise, in [0, 2π) (3.3.3, 3.3.4).
@@ -104,14 +101,14 @@ FOAM_HOST_DEVICE inline double edge_angle(Vec2 a, Vec2 b) {
 }
 
 /// θ = φ − α_j + α_k (3.3.7), with the signs of half-angles that are all seen from the junction.
-FOAM_HOST_DEVICE inline double film_angle(const JunctionStar& star, std::size_t from,
-                                          std::size_t to) {
+FOAM_HOST_DEVICE inline double angle_between(const JunctionStar& star, std::size_t from,
+                                             std::size_t to) {
   return edge_angle(star.chord[from], star.chord[to]) + half_angle(star, from) -
          half_angle(star, to);
 }
 
-FOAM_HOST_DEVICE inline std::array<double, 3> film_angles(const JunctionStar& star) {
-  return {film_angle(star, 0, 1), film_angle(star, 1, 2), film_angle(star, 2, 0)};
+FOAM_HOST_DEVICE inline std::array<double, 3> angles_between(const JunctionStar& star) {
+  return {angle_between(star, 0, 1), angle_between(star, 1, 2), angle_between(star, 2, 0)};
 }
 
 /// Length of the junction's film k (3.5.1), cm.
@@ -121,33 +118,32 @@ FOAM_HOST_DEVICE inline double film_length(const JunctionStar& star, std::size_t
 
 /// Energy of the films that meet in the junction, 2γ·Σl (3.5.2), N.
 FOAM_HOST_DEVICE inline double local_energy(const JunctionStar& star) {
-  return 2 * star.surface_tension *
-         (film_length(star, 0) + film_length(star, 1) + film_length(star, 2));
+  return star.tension * (film_length(star, 0) + film_length(star, 1) + film_length(star, 2));
 }
 
 /// The orientation invariant (3.5.1): films 0, 1, 2 follow each other counter-clockwise.
 FOAM_HOST_DEVICE inline bool oriented(const JunctionStar& star) {
-  return film_angle(star, 0, 1) < film_angle(star, 0, 2);
+  return angle_between(star, 0, 1) < angle_between(star, 0, 2);
 }
 
 /// A_⌢ (3.3.10) of half-film h on the account of its left bubble, whose pressure is given.
 template <class Mesh>
-FOAM_HOST_DEVICE double thesis_segment(const Mesh& mesh, Index h, double left_pressure) {
+FOAM_HOST_DEVICE double thesis_segment(const Mesh& mesh, Half h, double left_pressure) {
   if (mesh.wall(h)) {
     return 0;
   }
   const double chord = norm(mesh.chord(h));
   const double difference = left_pressure - mesh.pressure_of(mesh.right(h));
-  return segment_area(chord, thesis_half_angle(chord, difference, mesh.surface_tension));
+  return segment_area(chord, thesis_half_angle(chord, difference, mesh.reference_tension()));
 }
 
 /// Area (3.3.12) of the bubble on the left of h, cm².
-template <class Mesh> FOAM_HOST_DEVICE double thesis_area(const Mesh& mesh, Index first) {
+template <class Mesh> FOAM_HOST_DEVICE double thesis_area(const Mesh& mesh, Half first) {
   const double pressure = mesh.pressure_of(mesh.left(first));
   double twice_polygon = 0;
   double segments = 0;
   Vec2 at;
-  Index h = first;
+  Half h = first;
   do {
     const Vec2 chord = mesh.chord(h);
     twice_polygon += cross(at, chord);
@@ -166,7 +162,7 @@ FOAM_HOST_DEVICE JunctionSample<Search> vary_pressure(const Search& search, cons
   star.pressure[k] += dp;
   JunctionSample<Search> sample;
   sample.value = search.values(star);
-  Index h = star.half[k];
+  Half h = star.half[k];
   do {
     const double segment = thesis_segment(mesh, h, star.pressure[k]);
     sample.area[k] += segment;
@@ -200,7 +196,7 @@ FOAM_HOST_DEVICE JunctionSample<Search> vary_position(const Search& search, Junc
   return sample;
 }
 
-/// ∇f_j by central differences with step h (3.1.1); the world's row and column are zero (3.4.1).
+/// ∇f_j by central differences with step h (3.1.1); an outside's row and column are zero (3.4.1).
 template <class Search, class Mesh>
 FOAM_HOST_DEVICE JunctionJacobian<Search> junction_jacobian(const Search& search, const Mesh& mesh,
                                                             const JunctionStar& star, double h) {
@@ -208,14 +204,14 @@ FOAM_HOST_DEVICE JunctionJacobian<Search> junction_jacobian(const Search& search
   const auto set_column = [&](std::size_t c, const JunctionSample<Search>& plus,
                               const JunctionSample<Search>& minus) {
     for (std::size_t k = 0; k < 3; ++k) {
-      jacobian[k][c] = star.bubble[k] == kWorld ? 0 : (plus.area[k] - minus.area[k]) / (2 * h);
+      jacobian[k][c] = star.bubble[k].is_outside() ? 0 : (plus.area[k] - minus.area[k]) / (2 * h);
     }
     for (std::size_t k = 0; k < Search::kConditions; ++k) {
       jacobian[3 + k][c] = (plus.value[k] - minus.value[k]) / (2 * h);
     }
   };
   for (std::size_t k = 0; k < 3; ++k) {
-    if (star.bubble[k] != kWorld) {
+    if (!star.bubble[k].is_outside()) {
       set_column(k, vary_pressure(search, mesh, star, k, h),
                  vary_pressure(search, mesh, star, k, -h));
     }
@@ -267,17 +263,17 @@ FOAM_HOST_DEVICE JunctionJacobian<Search> adaptive_jacobian(const Search& search
 /// answers for its own area alone, and nothing moves.
 template <class Search, class Mesh>
 FOAM_HOST_DEVICE JunctionSystem<Search> junction_system(const Search& search, const Mesh& mesh,
-                                                        Index junction, const JunctionStar& star,
+                                                        Junction junction, const JunctionStar& star,
                                                         const DifferenceOptions& options) {
   JunctionSystem<Search> system;
   system.jacobian = adaptive_jacobian(search, mesh, star, options);
   for (std::size_t k = 0; k < 3; ++k) {
-    system.ignored[k] = star.bubble[k] == kWorld;
+    system.ignored[k] = star.bubble[k].is_outside();
     if (!system.ignored[k]) {
       system.deviation[k] = star.target_area[k] - thesis_area(mesh, star.half[k]);
     }
   }
-  if (mesh.pinned(junction)) {
+  if (!mesh.freedom(junction).any()) {
     system.ignored[3] = system.ignored[4] = true;
     for (std::size_t r = 0; r < system.jacobian.size(); ++r) {
       for (std::size_t c = 0; c < kUnknowns; ++c) {

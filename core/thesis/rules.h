@@ -20,23 +20,23 @@ struct ThesisRules {
   TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
 
   /// What a film's length is measured by, cm.
-  template <class Mesh> FOAM_HOST_DEVICE static double film_size(const Mesh& mesh, Index film) {
-    return norm(mesh.chord(2 * film));
+  template <class Mesh> FOAM_HOST_DEVICE static double film_size(const Mesh& mesh, Film film) {
+    return norm(mesh.chord(film.half()));
   }
   /// What a bubble's size is measured by, in fact and in target, cm².
-  template <class Mesh> FOAM_HOST_DEVICE static double bubble_size(const Mesh& mesh, Index bubble) {
-    const std::size_t b = Mesh::size(bubble);
-    return std::min(mesh.target_area[b], thesis::thesis_area(mesh, mesh.bubble_half[b]));
+  template <class Mesh>
+  FOAM_HOST_DEVICE static double bubble_size(const Mesh& mesh, Bubble bubble) {
+    return std::min(mesh.target_area[bubble], thesis::thesis_area(mesh, mesh.bubble_half[bubble]));
   }
 
-  template <class Mesh> FOAM_HOST_DEVICE bool shrunk(const Mesh& mesh, Index film) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool shrunk(const Mesh& mesh, Film film) const {
     return film_size(mesh, film) <= limit.t1_length;
   }
-  template <class Mesh> FOAM_HOST_DEVICE bool vanishes(const Mesh& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool vanishes(const Mesh& mesh, Bubble bubble) const {
     return bubble_size(mesh, bubble) <= limit.t2_area;
   }
   FOAM_HOST_DEVICE TwoSidedRule two_sided() const { return {two_sided_bubbles, limit.t1_length}; }
-  template <class Mesh> FOAM_HOST_DEVICE bool slides(const Mesh& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool slides(const Mesh& mesh, Bubble bubble) const {
     return two_sided().slides(mesh, bubble);
   }
 };

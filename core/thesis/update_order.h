@@ -28,6 +28,11 @@ FOAM_HOST_DEVICE inline std::uint32_t scattered(std::uint32_t x) {
   return x;
 }
 
+/// Where a junction comes in the order.
+FOAM_HOST_DEVICE inline std::uint32_t rank(Junction junction) {
+  return scattered(static_cast<std::uint32_t>(junction.index()));
+}
+
 /// How many films away the positions lie that a junction's constraints look at.
 FOAM_HOST_DEVICE inline int constraint_reach(const JunctionOptions& options) {
   return options.orientation_invariant ? 2 : (options.energy_decay ? 1 : 0);
@@ -39,42 +44,41 @@ inline constexpr Index kWaiting = -1;
 
 /// Puts the junctions that wait for nobody into a wave.
 struct JoinWave {
-  FoamView mesh;
+  ConstFoamView mesh;
   int reach = 0;
   Index wave = 0;
-  const Index* before = nullptr; ///< waves of junctions; kWaiting if not known yet
-  Index* after = nullptr;
+  ConstFieldView<Junction, Index> before; ///< their waves; kWaiting if not known yet
+  FieldView<Junction, Index> after;
 
-  FOAM_HOST_DEVICE void operator()(Index junction) const {
+  FOAM_HOST_DEVICE void operator()(Junction junction) const {
     const Index known = before[junction];
     const bool joins = mesh.has_junction(junction) && known == kWaiting && !waits(junction);
     after[junction] = joins ? wave : known;
   }
 
   /// Whether one that is near comes before the junction and waits itself.
-  FOAM_HOST_DEVICE bool waits(Index junction) const {
+  FOAM_HOST_DEVICE bool waits(Junction junction) const {
     bool found = false;
-    for (const Index half : mesh.junction_half[FoamView::size(junction)]) {
-      const Index neighbour = mesh.end(half);
+    for (const Half half : mesh.junction_half[junction]) {
+      const Junction neighbour = mesh.end(half);
       found = found || (reach > 0 && comes_first(neighbour, junction));
-      for (const Index second : mesh.junction_half[FoamView::size(neighbour)]) {
+      for (const Half second : mesh.junction_half[neighbour]) {
         found = found || (reach > 1 && comes_first(mesh.end(second), junction));
       }
     }
     return found;
   }
 
-  FOAM_HOST_DEVICE bool comes_first(Index other, Index junction) const {
-    return before[other] == kWaiting && scattered(static_cast<std::uint32_t>(other)) <
-                                            scattered(static_cast<std::uint32_t>(junction));
+  FOAM_HOST_DEVICE bool comes_first(Junction other, Junction junction) const {
+    return before[other] == kWaiting && rank(other) < rank(junction);
   }
 };
 
 struct IsWaiting {
-  FoamView mesh;
-  const Index* wave = nullptr;
+  ConstFoamView mesh;
+  ConstFieldView<Junction, Index> wave;
 
-  FOAM_HOST_DEVICE bool operator()(Index junction) const {
+  FOAM_HOST_DEVICE bool operator()(Junction junction) const {
     return mesh.has_junction(junction) && wave[junction] == kWaiting;
   }
 };
@@ -87,15 +91,16 @@ public:
   explicit UpdateOrder(Machine& machine) : machine_(machine) {}
 
   /// Finds the waves; to be called anew after every topological change.
-  void find(const FoamView& mesh, int reach) {
-    wave_.resize(FoamView::size(mesh.junctions));
-    next_.resize(FoamView::size(mesh.junctions));
+  void find(const ConstFoamView& mesh, int reach) {
+    wave_.resize(place_of(mesh.junctions));
+    next_.resize(place_of(mesh.junctions));
     machine_.for_each(mesh.junctions, parallel::Fill<Index>{wave_.data(), detail::kWaiting});
     waves_ = 0;
-    while (machine_.reduce(mesh.junctions, false, detail::IsWaiting{mesh, wave_.data()},
+    while (machine_.reduce(mesh.junction_slots(), false, detail::IsWaiting{mesh, wave()},
                            parallel::Or{})) {
-      machine_.for_each(mesh.junctions,
-                        detail::JoinWave{mesh, reach, waves_, wave_.data(), next_.data()});
+      machine_.for_each(
+          mesh.junction_slots(),
+          detail::JoinWave{mesh, reach, waves_, wave(), FieldView<Junction, Index>(next_.data())});
       std::swap(wave_, next_);
       ++waves_;
     }
@@ -103,7 +108,9 @@ public:
 
   Index waves() const { return waves_; }
   /// Of each junction, from 0; not of those that have vanished.
-  const Index* wave() const { return wave_.data(); }
+  ConstFieldView<Junction, Index> wave() const {
+    return ConstFieldView<Junction, Index>(wave_.data());
+  }
 
 private:
   Machine& machine_;

@@ -6,11 +6,12 @@
 // which go ahead do not meet.
 //
 // An operation has
-//   candidates(mesh)   how many candidates there may be, numbered from 0,
-//   key(mesh, i)       the bid of candidate i, no two alike; kNoBid where it cannot or will not,
-//   bubbles(mesh, i)   the bubbles that it touches,
-//   count(mesh, i)     what it counts for: Performed, or as Performed,
-//   perform(mesh, i)   what it does. Nothing outside of these bubbles is read or written.
+//   candidates(mesh)   all that may be candidates, as Slots of elements or of numbers,
+//   key(mesh, c)       the bid of candidate c, no two alike; kNoBid where it cannot or will not,
+//   bubbles(mesh, c)   the bubbles that it touches,
+//   count(mesh, c)     what it counts for: Performed, or as Performed,
+//   perform(mesh, c)   what it does. Nothing outside of these bubbles is read or written.
+// The mesh is a ConstFoamView, and a FoamView where it is changed.
 #pragma once
 
 #include <array>
@@ -25,15 +26,15 @@ namespace foam {
 
 inline constexpr std::uint64_t kNoBid = ~std::uint64_t{0};
 
-/// The bubbles around a candidate, filled up with kWorld, for which nobody has to bid: a junction
-/// on the world has two other bubbles.
-using Touched = std::array<Index, 5>;
+/// The bubbles around a candidate, filled up with an outside, for which nobody has to bid: a
+/// junction beside it has two other bubbles.
+using Touched = std::array<Bubble, 5>;
 
 /// The bubbles along a film and at its ends.
-FOAM_HOST_DEVICE inline Touched bubbles_around_film(const FoamView& mesh, Index film) {
-  const Index h = 2 * film;
+template <class Mesh> FOAM_HOST_DEVICE Touched bubbles_around_film(const Mesh& mesh, Film film) {
+  const Half h = film.half();
   return {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
-          mesh.left(mesh.next_around_junction(FoamView::twin(h))), kWorld};
+          mesh.left(mesh.next_around_junction(h.twin())), kWorld};
 }
 
 /// How many operations of one kind were performed.
@@ -49,18 +50,19 @@ struct Performed {
 namespace detail {
 
 template <class Operation> struct PlaceBids {
-  FoamView mesh;
+  ConstFoamView mesh;
   Operation operation;
   std::uint64_t* bid = nullptr;
   std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    const std::uint64_t key = operation.key(mesh, i);
-    bid[FoamView::size(i)] = key;
+    const auto candidate = operation.candidates(mesh)[i];
+    const std::uint64_t key = operation.key(mesh, candidate);
+    bid[i] = key;
     if (key != kNoBid) {
-      for (const Index b : operation.bubbles(mesh, i)) {
-        if (b != kWorld) {
-          atomic_min(lowest + b, key);
+      for (const Bubble b : operation.bubbles(mesh, candidate)) {
+        if (!b.is_outside()) {
+          atomic_min(lowest + b.index(), key);
         }
       }
     }
@@ -69,17 +71,17 @@ template <class Operation> struct PlaceBids {
 
 /// Takes back the bids that are not the lowest everywhere.
 template <class Operation> struct WithdrawBids {
-  FoamView mesh;
+  ConstFoamView mesh;
   Operation operation;
   std::uint64_t* bid = nullptr;
   const std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    std::uint64_t& key = bid[FoamView::size(i)];
+    std::uint64_t& key = bid[i];
     if (key != kNoBid) {
       bool holds_all = true;
-      for (const Index b : operation.bubbles(mesh, i)) {
-        holds_all = holds_all && (b == kWorld || lowest[FoamView::size(b)] == key);
+      for (const Bubble b : operation.bubbles(mesh, operation.candidates(mesh)[i])) {
+        holds_all = holds_all && (b.is_outside() || lowest[b.index()] == key);
       }
       key = holds_all ? key : kNoBid;
     }
@@ -92,21 +94,22 @@ template <class Operation> struct PerformBids {
   const std::uint64_t* bid = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    if (bid[FoamView::size(i)] != kNoBid) {
+    if (bid[i] != kNoBid) {
       FoamView changed = mesh;
-      operation.perform(changed, i);
+      operation.perform(changed, operation.candidates(mesh)[i]);
     }
   }
 };
 
 template <class Operation> struct CountBid {
-  FoamView mesh;
+  ConstFoamView mesh;
   Operation operation;
   const std::uint64_t* bid = nullptr;
 
   FOAM_HOST_DEVICE auto operator()(Index i) const {
-    using Count = decltype(operation.count(mesh, i));
-    return bid[FoamView::size(i)] == kNoBid ? Count{} : operation.count(mesh, i);
+    const auto candidate = operation.candidates(mesh)[i];
+    using Count = decltype(operation.count(mesh, candidate));
+    return bid[i] == kNoBid ? Count{} : operation.count(mesh, candidate);
   }
 };
 
@@ -118,17 +121,18 @@ public:
   explicit Bidding(Machine& machine) : machine_(machine) {}
 
   /// One round: those who hold all that they bid for go ahead. At least the lowest bid of all does.
-  /// \returns the sum of operation.count(mesh, i) over them, taken before they change the mesh.
+  /// \returns the sum of operation.count(mesh, c) over them, taken before they change the mesh.
   template <class Operation> auto round(const FoamView& mesh, const Operation& operation) {
-    const Index candidates = operation.candidates(mesh);
-    bid_.resize(FoamView::size(candidates));
-    lowest_.resize(FoamView::size(mesh.bubbles));
+    const ConstFoamView seen = const_view(mesh);
+    const Index candidates = operation.candidates(seen).size();
+    bid_.resize(place_of(candidates));
+    lowest_.resize(place_of(mesh.bubbles));
     machine_.for_each(mesh.bubbles, parallel::Fill<std::uint64_t>{lowest_.data(), kNoBid});
     machine_.for_each(candidates,
-                      detail::PlaceBids<Operation>{mesh, operation, bid_.data(), lowest_.data()});
+                      detail::PlaceBids<Operation>{seen, operation, bid_.data(), lowest_.data()});
     machine_.for_each(
-        candidates, detail::WithdrawBids<Operation>{mesh, operation, bid_.data(), lowest_.data()});
-    const detail::CountBid<Operation> count{mesh, operation, bid_.data()};
+        candidates, detail::WithdrawBids<Operation>{seen, operation, bid_.data(), lowest_.data()});
+    const detail::CountBid<Operation> count{seen, operation, bid_.data()};
     using Count = decltype(count(0));
     const Count performed = machine_.reduce(candidates, Count{}, count, parallel::Add{});
     machine_.for_each(candidates, detail::PerformBids<Operation>{mesh, operation, bid_.data()});

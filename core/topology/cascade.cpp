@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <deque>
-#include <numeric>
 
 #include "topology/collapse.h"
 
 namespace foam {
 namespace {
 
-std::vector<Index> up_to(Index n) {
-  std::vector<Index> all(Foam::size(n));
-  std::iota(all.begin(), all.end(), Index{0});
+template <class Element> std::vector<Element> all_of(Slots<Element> slots) {
+  std::vector<Element> all;
+  all.reserve(place_of(slots.size()));
+  for (const Element e : slots) {
+    all.push_back(e);
+  }
   return all;
 }
 
@@ -21,13 +23,13 @@ class Cascade {
 public:
   Cascade(Foam& foam, const CollapseRules& rules) : collapse_(foam, rules) {}
 
-  CascadeResult run(std::span<const Index> films, std::span<const Index> bubbles) && {
+  CascadeResult run(std::span<const Film> films, std::span<const Bubble> bubbles) && {
     bubbles_.assign(bubbles.begin(), bubbles.end());
     process_bubbles();
     leave_out(films); // they are tested anyway; Figure 4.8 empties the queue here
     films_.insert(films_.begin(), films.begin(), films.end());
     while (!films_.empty()) {
-      const Index film = films_.front();
+      const Film film = films_.front();
       films_.pop_front();
       push(collapse_.film(film)); // Figure 4.9
       process_bubbles();
@@ -39,17 +41,17 @@ private:
   /// Figures 4.10 and 4.11.
   void process_bubbles() {
     while (!bubbles_.empty()) {
-      const Index bubble = bubbles_.front();
+      const Bubble bubble = bubbles_.front();
       bubbles_.pop_front();
       push(collapse_.bubble(bubble));
     }
   }
 
   /// Takes the given films out of the queue.
-  void leave_out(std::span<const Index> films) {
-    std::vector<Index> sorted(films.begin(), films.end());
+  void leave_out(std::span<const Film> films) {
+    std::vector<Film> sorted(films.begin(), films.end());
     std::ranges::sort(sorted);
-    std::erase_if(films_, [&](Index f) { return std::ranges::binary_search(sorted, f); });
+    std::erase_if(films_, [&](Film f) { return std::ranges::binary_search(sorted, f); });
   }
 
   void push(const Aftermath& after) {
@@ -58,19 +60,18 @@ private:
   }
 
   Collapse collapse_;
-  std::deque<Index> films_;
-  std::deque<Index> bubbles_;
+  std::deque<Film> films_;
+  std::deque<Bubble> bubbles_;
 };
 
 } // namespace
 
 CascadeResult topological_cascade(Foam& foam, const CollapseRules& rules) {
-  return topological_cascade(foam, rules, up_to(foam.film_capacity()),
-                             up_to(foam.bubble_capacity()));
+  return topological_cascade(foam, rules, all_of(foam.film_slots()), all_of(foam.bubble_slots()));
 }
 
 CascadeResult topological_cascade(Foam& foam, const CollapseRules& rules,
-                                  std::span<const Index> films, std::span<const Index> bubbles) {
+                                  std::span<const Film> films, std::span<const Bubble> bubbles) {
   return Cascade(foam, rules).run(films, bubbles);
 }
 

@@ -12,16 +12,16 @@ namespace foam {
 /// When a film or a bubble wants to give way. Whether it can is checked by the algorithm, before
 /// the rule is asked. An empty rule means never.
 struct CollapseRules {
-  std::function<bool(const Foam&, Index film)> t1;   ///< of a film: swap it
-  std::function<bool(const Foam&, Index bubble)> t2; ///< of a three-sided bubble: remove it
-  std::function<bool(const Foam&, Index bubble)> t3; ///< of a two-sided bubble: remove it
+  std::function<bool(const Foam&, Film)> t1;   ///< of a film: swap it
+  std::function<bool(const Foam&, Bubble)> t2; ///< of a three-sided bubble: remove it
+  std::function<bool(const Foam&, Bubble)> t3; ///< of a two-sided bubble: remove it
 };
 
 /// What topological operations have left behind.
 struct CascadeResult {
   /// The bubbles around the events, those that lost and those that gained a side, as far as they
   /// still exist; ascending, each once.
-  std::vector<Index> bubbles;
+  std::vector<Bubble> bubbles;
 
   bool changed() const { return !bubbles.empty(); }
 };
@@ -40,6 +40,6 @@ CascadeResult topological_cascade(Foam& foam, const CollapseRules& rules);
 /// The same, beginning with the given films and bubbles alone. Those that no longer exist are
 /// passed over.
 CascadeResult topological_cascade(Foam& foam, const CollapseRules& rules,
-                                  std::span<const Index> films, std::span<const Index> bubbles);
+                                  std::span<const Film> films, std::span<const Bubble> bubbles);
 
 } // namespace foam

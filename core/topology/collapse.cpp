@@ -7,26 +7,26 @@
 
 namespace foam {
 
-Aftermath Collapse::film(Index film) {
+Aftermath Collapse::film(Film film) {
   if (!rules_.t1 || !can_perform_t1(foam_, film) || !rules_.t1(foam_, film)) {
     return {};
   }
   Aftermath after{.performed = true, .films = {}, .bubbles = {}};
-  for (const Index loser : perform_t1(foam_, film)) {
-    if (loser != kWorld) {
+  for (const Bubble loser : perform_t1(foam_, film)) {
+    if (!loser.is_outside()) {
       after.bubbles.push_back(loser);
     }
     note(loser);
   }
-  note(foam_.left(2 * film));
-  note(foam_.right(2 * film));
+  note(foam_.left(film.half()));
+  note(foam_.right(film.half()));
   return after;
 }
 
-Aftermath Collapse::bubble(Index bubble) {
+Aftermath Collapse::bubble(Bubble bubble) {
   Aftermath after;
-  const auto lost = [&](Index neighbour) {
-    if (neighbour != kWorld) {
+  const auto lost = [&](Bubble neighbour) {
+    if (!neighbour.is_outside()) {
       after.bubbles.push_back(neighbour);
     }
     note(neighbour);
@@ -38,24 +38,23 @@ Aftermath Collapse::bubble(Index bubble) {
     std::ranges::for_each(removed.bubbles, lost);
   } else if (rules_.t3 && can_perform_t3(foam_, bubble) && rules_.t3(foam_, bubble)) {
     // Of the two films that end in the bubble one remains, which becomes the whole.
-    for_each_half(foam_, bubble, [&](Index h) {
-      after.films.push_back(Foam::film_of(foam_.previous_around_junction(h)));
-    });
+    for_each_half(foam_, bubble,
+                  [&](Half h) { after.films.push_back(foam_.previous_around_junction(h).film()); });
     after.performed = true;
     std::ranges::for_each(perform_t3(foam_, bubble), lost);
-    std::erase_if(after.films, [&](Index f) { return !foam_.has_film(f); });
+    std::erase_if(after.films, [&](Film f) { return !foam_.has_film(f); });
   }
   return after;
 }
 
-void Collapse::note(Index bubble) {
-  if (bubble != kWorld) {
+void Collapse::note(Bubble bubble) {
+  if (!bubble.is_outside()) {
     around_.push_back(bubble);
   }
 }
 
 CascadeResult Collapse::result() && {
-  std::erase_if(around_, [&](Index b) { return !foam_.has_bubble(b); });
+  std::erase_if(around_, [&](Bubble b) { return !foam_.has_bubble(b); });
   std::ranges::sort(around_);
   const auto repeated = std::ranges::unique(around_);
   around_.erase(repeated.begin(), repeated.end());

@@ -10,8 +10,8 @@ namespace foam {
 /// Where to look next after a topological operation.
 struct Aftermath {
   bool performed = false;
-  std::vector<Index> films;   ///< prolonged by it
-  std::vector<Index> bubbles; ///< that lost a side or two, without the world
+  std::vector<Film> films;     ///< prolonged by it
+  std::vector<Bubble> bubbles; ///< that lost a side or two, without outsides
 };
 
 /// Performs topological operations one at a time, each where it can be performed and the rules ask
@@ -22,18 +22,18 @@ public:
   Collapse(Foam& foam, const CollapseRules& rules) : foam_(foam), rules_(rules) {}
 
   /// Swaps the film.
-  Aftermath film(Index film);
+  Aftermath film(Film film);
   /// Removes the bubble, by a T2 or a T3.
-  Aftermath bubble(Index bubble);
+  Aftermath bubble(Bubble bubble);
 
   CascadeResult result() &&;
 
 private:
-  void note(Index bubble);
+  void note(Bubble bubble);
 
   Foam& foam_;
   const CollapseRules& rules_;
-  std::vector<Index> around_;
+  std::vector<Bubble> around_;
 };
 
 } // namespace foam

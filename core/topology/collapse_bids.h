@@ -34,11 +34,11 @@ namespace detail {
 
 /// The bubbles beside a two-sided bubble, at both ends of it, and at the far ends of the two films
 /// that end in it.
-FOAM_HOST_DEVICE inline Touched around_two_sided(const FoamView& mesh, Index bubble) {
-  const Index e0 = mesh.bubble_half[FoamView::size(bubble)];
-  const Index e1 = mesh.next_in_bubble(e0);
-  const auto far_end = [&](Index inner) {
-    const Index back = FoamView::twin(mesh.previous_around_junction(inner));
+template <class Mesh> FOAM_HOST_DEVICE Touched around_two_sided(const Mesh& mesh, Bubble bubble) {
+  const Half e0 = mesh.bubble_half[bubble];
+  const Half e1 = mesh.next_in_bubble(e0);
+  const auto far_end = [&](Half inner) {
+    const Half back = mesh.previous_around_junction(inner).twin();
     return mesh.left(mesh.next_around_junction(back));
   };
   return {bubble, mesh.right(e0), mesh.right(e1), far_end(e0), far_end(e1)};
@@ -52,58 +52,78 @@ FOAM_HOST_DEVICE inline Touched around_two_sided(const FoamView& mesh, Index bub
 /// (thesis/rules.h)
 template <class Rules> struct CollapseBids {
   Rules rules;
-  std::uint8_t* swappable = nullptr; ///< of a film: not swapped yet; all 1 in the beginning
+  FieldView<Film, std::uint8_t> swappable; ///< of a film: not swapped yet; all 1 in the beginning
 
   /// Bubbles first, then films.
-  FOAM_HOST_DEVICE static Index candidates(const FoamView& mesh) {
-    return mesh.bubbles + mesh.films;
+  template <class Mesh> FOAM_HOST_DEVICE static Slots<Index> candidates(const Mesh& mesh) {
+    return Slots<Index>(mesh.bubbles + mesh.films);
   }
 
-  FOAM_HOST_DEVICE std::uint64_t key(const FoamView& mesh, Index i) const {
-    if (i < mesh.bubbles) {
-      const bool gives_way =
-          mesh.has_bubble(i) &&
-          (can_perform_t2(mesh, i) || (can_perform_t3(mesh, i) && !rules.slides(mesh, i))) &&
-          rules.vanishes(mesh, i);
-      return gives_way ? bid_key(false, std::max(Rules::bubble_size(mesh, i), 0.0), i) : kNoBid;
-    }
-    const Index film = i - mesh.bubbles;
-    const bool gives_way = mesh.has_film(film) && swappable[film] && rules.shrunk(mesh, film) &&
-                           can_perform_t1(mesh, film);
-    return gives_way ? bid_key(true, Rules::film_size(mesh, film), film) : kNoBid;
+  template <class Mesh> FOAM_HOST_DEVICE std::uint64_t key(const Mesh& mesh, Index i) const {
+    return is_bubble(mesh, i) ? key_of(mesh, Bubble(i)) : key_of(mesh, film(mesh, i));
   }
 
-  FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index i) {
-    if (i >= mesh.bubbles) {
-      return bubbles_around_film(mesh, i - mesh.bubbles);
+  template <class Mesh> FOAM_HOST_DEVICE static Touched bubbles(const Mesh& mesh, Index i) {
+    if (!is_bubble(mesh, i)) {
+      return bubbles_around_film(mesh, film(mesh, i));
     }
-    if (mesh.sides[FoamView::size(i)] == 2) {
-      return detail::around_two_sided(mesh, i);
+    const Bubble bubble(i);
+    if (mesh.sides[bubble] == 2) {
+      return detail::around_two_sided(mesh, bubble);
     }
-    const Index h = mesh.bubble_half[FoamView::size(i)];
-    return {i, mesh.right(h), mesh.right(mesh.next_in_bubble(h)),
+    const Half h = mesh.bubble_half[bubble];
+    return {bubble, mesh.right(h), mesh.right(mesh.next_in_bubble(h)),
             mesh.right(mesh.previous_in_bubble(h)), kWorld};
   }
 
-  FOAM_HOST_DEVICE static OperationCount count(const FoamView& mesh, Index i) {
-    if (i >= mesh.bubbles) {
+  template <class Mesh> FOAM_HOST_DEVICE static OperationCount count(const Mesh& mesh, Index i) {
+    if (!is_bubble(mesh, i)) {
       return {1, 0, 0};
     }
-    return mesh.sides[FoamView::size(i)] == 3 ? OperationCount{0, 1, 0} : OperationCount{0, 0, 1};
+    return mesh.sides[Bubble(i)] == 3 ? OperationCount{0, 1, 0} : OperationCount{0, 0, 1};
   }
 
   FOAM_HOST_DEVICE void perform(FoamView& mesh, Index i) const {
-    if (i >= mesh.bubbles) {
-      swap_film(mesh, i - mesh.bubbles);
-      swappable[i - mesh.bubbles] = 0;
-    } else if (mesh.sides[FoamView::size(i)] == 3) {
-      for (const Index film : remove_three_sided_bubble(mesh, i).films) {
+    if (is_bubble(mesh, i)) {
+      remove(mesh, Bubble(i));
+    } else {
+      swap_film(mesh, film(mesh, i));
+      swappable[film(mesh, i)] = 0;
+    }
+  }
+
+private:
+  template <class Mesh> FOAM_HOST_DEVICE static bool is_bubble(const Mesh& mesh, Index i) {
+    return i < mesh.bubbles;
+  }
+  template <class Mesh> FOAM_HOST_DEVICE static Film film(const Mesh& mesh, Index i) {
+    return Film(i - mesh.bubbles);
+  }
+
+  template <class Mesh>
+  FOAM_HOST_DEVICE std::uint64_t key_of(const Mesh& mesh, Bubble bubble) const {
+    const bool gives_way = mesh.has_bubble(bubble) &&
+                           (can_perform_t2(mesh, bubble) ||
+                            (can_perform_t3(mesh, bubble) && !rules.slides(mesh, bubble))) &&
+                           rules.vanishes(mesh, bubble);
+    return gives_way
+               ? bid_key(false, std::max(Rules::bubble_size(mesh, bubble), 0.0), bubble.index())
+               : kNoBid;
+  }
+  template <class Mesh> FOAM_HOST_DEVICE std::uint64_t key_of(const Mesh& mesh, Film film) const {
+    const bool gives_way = mesh.has_film(film) && swappable[film] && rules.shrunk(mesh, film) &&
+                           can_perform_t1(mesh, film);
+    return gives_way ? bid_key(true, Rules::film_size(mesh, film), film.index()) : kNoBid;
+  }
+
+  FOAM_HOST_DEVICE void remove(FoamView& mesh, Bubble bubble) const {
+    if (mesh.sides[bubble] == 3) {
+      for (const Film film : remove_three_sided_bubble(mesh, bubble).films) {
         swappable[film] = 1;
       }
     } else {
-      const Index half = mesh.bubble_half[FoamView::size(i)];
-      const Index remaining = FoamView::film_of(mesh.previous_around_junction(half));
-      remove_two_sided_bubble(mesh, i);
+      const Film remaining = mesh.previous_around_junction(mesh.bubble_half[bubble]).film();
+      remove_two_sided_bubble(mesh, bubble);
       swappable[remaining] = 1;
     }
   }
@@ -112,21 +132,24 @@ template <class Rules> struct CollapseBids {
 /// Sliding of two-sided bubbles, in the order of their numbers.
 struct SlideBids {
   TwoSidedRule rule;
-  std::uint8_t* waiting = nullptr; ///< of a bubble: not slid yet; all 1 in the beginning
+  FieldView<Bubble, std::uint8_t> waiting; ///< of a bubble: not slid yet; all 1 in the beginning
 
-  FOAM_HOST_DEVICE static Index candidates(const FoamView& mesh) { return mesh.bubbles; }
-  FOAM_HOST_DEVICE std::uint64_t key(const FoamView& mesh, Index bubble) const {
-    const bool slides = mesh.has_bubble(bubble) && mesh.sides[FoamView::size(bubble)] == 2 &&
-                        waiting[bubble] && rule.slides(mesh, bubble);
-    return slides ? bid_key(false, 0, bubble) : kNoBid;
+  template <class Mesh> FOAM_HOST_DEVICE static Slots<Bubble> candidates(const Mesh& mesh) {
+    return mesh.bubble_slots();
   }
-  FOAM_HOST_DEVICE static Touched bubbles(const FoamView& mesh, Index bubble) {
+  template <class Mesh> FOAM_HOST_DEVICE std::uint64_t key(const Mesh& mesh, Bubble bubble) const {
+    const bool slides = mesh.has_bubble(bubble) && mesh.sides[bubble] == 2 && waiting[bubble] &&
+                        rule.slides(mesh, bubble);
+    return slides ? bid_key(false, 0, bubble.index()) : kNoBid;
+  }
+  template <class Mesh> FOAM_HOST_DEVICE static Touched bubbles(const Mesh& mesh, Bubble bubble) {
     return detail::around_two_sided(mesh, bubble);
   }
-  FOAM_HOST_DEVICE static Performed count(const FoamView& /*mesh*/, Index /*bubble*/) {
+  template <class Mesh>
+  FOAM_HOST_DEVICE static Performed count(const Mesh& /*mesh*/, Bubble /*bubble*/) {
     return {1};
   }
-  FOAM_HOST_DEVICE void perform(FoamView& mesh, Index bubble) const {
+  FOAM_HOST_DEVICE void perform(FoamView& mesh, Bubble bubble) const {
     slide_two_sided_bubble(mesh, bubble, rule.sliding_distance());
     waiting[bubble] = 0;
   }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "mesh/elements.h"
+#include "mesh/ids.h"
 
 namespace foam::detail {
 
@@ -13,25 +13,25 @@ namespace foam::detail {
 template <std::size_t N> class GasLedger {
 public:
   template <class Mesh>
-  FOAM_HOST_DEVICE GasLedger(const Mesh& mesh, Index removed,
-                             const std::array<Index, N>& neighbours)
+  FOAM_HOST_DEVICE GasLedger(const Mesh& mesh, Bubble removed,
+                             const std::array<Bubble, N>& neighbours)
       : neighbours_(neighbours) {
     int takers = 0;
     for (std::size_t i = 0; i < N; ++i) {
-      if (neighbours[i] != kWorld) {
+      if (!neighbours[i].is_outside()) {
         before_[i] = mesh.area(neighbours[i]);
         ++takers;
       }
     }
-    share_ = (mesh.target_area[Mesh::size(removed)] - mesh.area(removed)) / takers;
+    share_ = (mesh.target_area[removed] - mesh.area(removed)) / takers;
   }
 
   template <class Mesh> FOAM_HOST_DEVICE void share_out(Mesh& mesh) const {
     for (std::size_t i = 0; i < N; ++i) {
-      const Index b = neighbours_[i];
-      if (b != kWorld) {
+      const Bubble b = neighbours_[i];
+      if (!b.is_outside()) {
         const double gain = seen_before(i) ? 0 : mesh.area(b) - before_[i];
-        mesh.target_area[Mesh::size(b)] += share_ + gain;
+        mesh.target_area[b] += share_ + gain;
       }
     }
   }
@@ -45,7 +45,7 @@ private:
     return seen;
   }
 
-  std::array<Index, N> neighbours_;
+  std::array<Bubble, N> neighbours_;
   std::array<double, N> before_{};
   double share_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mesh/element_measures.h"
 #include "mesh/mesh_access.h"
 #include "topology/gas_ledger.h"
 #include "topology/prolongation.h"
@@ -17,98 +18,122 @@
 namespace foam {
 namespace detail {
 
-/// Whether the loop on the left of h, a bubble's or the world's, has at least n films.
-template <class Mesh> FOAM_HOST_DEVICE bool has_sides(const Mesh& mesh, Index h, int n) {
+/// Whether the loop on the left of h, a bubble's or an outside's, has at least n films.
+template <class Mesh> FOAM_HOST_DEVICE bool has_sides(const Mesh& mesh, Half h, int n) {
   int count = 1;
-  for (Index k = mesh.next_in_bubble(h); k != h && count < n; k = mesh.next_in_bubble(k)) {
+  for (Half k = mesh.next_in_bubble(h); k != h && count < n; k = mesh.next_in_bubble(k)) {
     ++count;
   }
   return count >= n;
 }
 
-template <class Mesh> FOAM_HOST_DEVICE void add_sides(Mesh& mesh, Index bubble, Index n) {
-  if (bubble != kWorld) {
-    mesh.sides[Mesh::size(bubble)] += n;
+template <class Mesh> FOAM_HOST_DEVICE void add_sides(Mesh& mesh, Bubble bubble, Index n) {
+  if (!bubble.is_outside()) {
+    mesh.sides[bubble] += n;
   }
 }
 
 /// Makes h the half-film by which the bubble on its left is found.
-template <class Mesh> FOAM_HOST_DEVICE void represent(Mesh& mesh, Index h) {
-  if (mesh.left(h) != kWorld) {
-    mesh.bubble_half[Mesh::size(mesh.left(h))] = h;
+template <class Mesh> FOAM_HOST_DEVICE void represent(Mesh& mesh, Half h) {
+  if (!mesh.left(h).is_outside()) {
+    mesh.bubble_half[mesh.left(h)] = h;
   }
 }
 
-template <class Mesh> FOAM_HOST_DEVICE void remove_film(Mesh& mesh, Index film) {
-  mesh.half_junction[Mesh::size(2 * film)] = kNone;
-  mesh.half_junction[Mesh::size(2 * film + 1)] = kNone;
+template <class Mesh> FOAM_HOST_DEVICE void remove_film(Mesh& mesh, Film film) {
+  mesh.half_junction[film.half()] = kNone;
+  mesh.half_junction[film.half().twin()] = kNone;
 }
 
-template <class Mesh> FOAM_HOST_DEVICE void remove_junction(Mesh& mesh, Index j) {
-  mesh.junction_half[Mesh::size(j)] = {kNone, kNone, kNone};
+template <class Mesh> FOAM_HOST_DEVICE void remove_junction(Mesh& mesh, Junction j) {
+  mesh.junction_half[j] = {kNone, kNone, kNone};
 }
 
-template <class Mesh> FOAM_HOST_DEVICE void remove_bubble(Mesh& mesh, Index b) {
-  mesh.bubble_half[Mesh::size(b)] = kNone;
+template <class Mesh> FOAM_HOST_DEVICE void remove_bubble(Mesh& mesh, Bubble b) {
+  mesh.bubble_half[b] = kNone;
+}
+
+/// Whether a junction of three films can hold their tensions.
+template <class Mesh>
+FOAM_HOST_DEVICE bool can_meet(const Mesh& mesh, const std::array<Half, 3>& halves) {
+  return mesh.has_uniform_tension() ||
+         can_balance({mesh.tension(halves[0].film()), mesh.tension(halves[1].film()),
+                      mesh.tension(halves[2].film())});
+}
+
+/// Whether a junction between these bubbles would lie on a container's wall, which holds it.
+template <class Mesh, std::size_t N>
+FOAM_HOST_DEVICE bool pinned_beside(const Mesh& mesh, const std::array<Bubble, N>& bubbles) {
+  bool outside = false;
+  for (const Bubble b : bubbles) {
+    outside = outside || b.is_outside();
+  }
+  return outside && mesh.surroundings.has_walls();
 }
 
 } // namespace detail
 
 /// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
-/// one differ, and the film is no piece of a container's wall.
-template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Index film) {
-  const Index h = 2 * film;
-  if (!mesh.has_film(film) || mesh.wall(h)) {
+/// one differ, the film is no piece of a container's wall, and the new junctions can hold the
+/// tensions of their films.
+template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Film film) {
+  if (!mesh.bends(film)) {
     return false;
   }
-  const Index at_start = mesh.left(mesh.next_around_junction(h));
-  const Index at_end = mesh.left(mesh.next_around_junction(Mesh::twin(h)));
-  return at_start != at_end && detail::has_sides(mesh, h, 3) &&
-         detail::has_sides(mesh, Mesh::twin(h), 3);
+  const Half h = film.half();
+  const Half t = h.twin();
+  const Half h1 = mesh.next_around_junction(h);
+  const Half t1 = mesh.next_around_junction(t);
+  const Bubble at_start = mesh.left(h1);
+  const Bubble at_end = mesh.left(t1);
+  return at_start != at_end && detail::has_sides(mesh, h, 3) && detail::has_sides(mesh, t, 3) &&
+         (detail::pinned_beside(mesh, std::array{at_start, at_end}) ||
+          (detail::can_meet(mesh, {h, mesh.previous_around_junction(t), h1}) &&
+           detail::can_meet(mesh, {t, mesh.previous_around_junction(h), t1})));
 }
 
 /// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along
-/// it part. The new film lies across the old one, has its chord's length, and takes the curvature
-/// of its bubbles' pressures; beside a container's wall it becomes a piece of the wall. \returns
-/// the two bubbles that lost a side (the world among them as kWorld).
-template <class Mesh> FOAM_HOST_DEVICE std::array<Index, 2> swap_film(Mesh& mesh, Index film) {
-  const Index h = 2 * film;
-  const Index t = h + 1;
-  const Index a = mesh.start(h);
-  const Index b = mesh.start(t);
-  const Index h1 = mesh.next_around_junction(h);
-  const Index h2 = mesh.previous_around_junction(h);
-  const Index t1 = mesh.next_around_junction(t);
-  const Index t2 = mesh.previous_around_junction(t);
+/// it part. The new film lies across the old one, has its chord's length and its tension, and takes
+/// the curvature of its bubbles' pressures; beside a container's wall it becomes a piece of the
+/// wall. \returns the two bubbles that lost a side, one of which may be an outside.
+template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mesh, Film film) {
+  const Half h = film.half();
+  const Half t = h.twin();
+  const Junction a = mesh.start(h);
+  const Junction b = mesh.start(t);
+  const Half h1 = mesh.next_around_junction(h);
+  const Half h2 = mesh.previous_around_junction(h);
+  const Half t1 = mesh.next_around_junction(t);
+  const Half t2 = mesh.previous_around_junction(t);
   const std::array parted{mesh.left(h), mesh.right(h)};
-  const Index at_start = mesh.left(h1);
-  const Index at_end = mesh.left(t1);
+  const Bubble at_start = mesh.left(h1);
+  const Bubble at_end = mesh.left(t1);
   const Vec2 chord = mesh.chord(h);
-  const Vec2 at_a = mesh.position[Mesh::size(a)];
-  const Vec2 to_b = mesh.position[Mesh::size(b)] - (at_a + chord); // a period, on a torus
+  const Vec2 at_a = mesh.position[a];
+  const Vec2 to_b = mesh.position[b] - (at_a + chord); // a period, on a torus
   Vec2 new_a = at_a + 0.5 * chord + 0.5 * left_normal(chord);
   Vec2 new_b = new_a - left_normal(chord);
-  const auto along_wall = [&](Index wall) {
+  const auto along_wall = [&](Half wall) {
     const Vec2 way = mesh.chord(wall);
     return std::min(norm(chord) / norm(way), 0.5) * way;
   };
-  if (mesh.boundary == Boundary::Fixed && at_start == kWorld) {
+  if (mesh.surroundings.has_walls() && at_start.is_outside()) {
     new_a = at_a;
     new_b = at_a + along_wall(h2);
-  } else if (mesh.boundary == Boundary::Fixed && at_end == kWorld) {
+  } else if (mesh.surroundings.has_walls() && at_end.is_outside()) {
     new_b = at_a + chord;
     new_a = new_b + along_wall(t2);
   }
 
   const Wrap along = mesh.wrap(h);
-  mesh.half_bubble[Mesh::size(h)] = at_end;
-  mesh.half_bubble[Mesh::size(t)] = at_start;
+  mesh.half_bubble[h] = at_end;
+  mesh.half_bubble[t] = at_start;
   mesh.set_wrap(t2, mesh.wrap(t2) + along);
   mesh.set_wrap(h2, mesh.wrap(h2) - along);
-  mesh.half_junction[Mesh::size(t2)] = a;
-  mesh.half_junction[Mesh::size(h2)] = b;
-  mesh.junction_half[Mesh::size(a)] = {h, t2, h1};
-  mesh.junction_half[Mesh::size(b)] = {t, h2, t1};
+  mesh.half_junction[t2] = a;
+  mesh.half_junction[h2] = b;
+  mesh.junction_half[a] = {h, t2, h1};
+  mesh.junction_half[b] = {t, h2, t1};
   detail::represent(mesh, t2);
   detail::represent(mesh, h2);
   detail::add_sides(mesh, parted[0], -1);
@@ -116,57 +141,64 @@ template <class Mesh> FOAM_HOST_DEVICE std::array<Index, 2> swap_film(Mesh& mesh
   detail::add_sides(mesh, at_start, 1);
   detail::add_sides(mesh, at_end, 1);
 
-  mesh.position[Mesh::size(a)] = new_a;
-  mesh.position[Mesh::size(b)] = new_b + to_b;
-  const double q = mesh.pressure_of(at_end) - mesh.pressure_of(at_start);
-  const double sine = q * norm(chord) / (4 * mesh.surface_tension);
+  mesh.position[a] = new_a;
+  mesh.position[b] = new_b + to_b;
+  const double sine = mesh.pressure_difference(h) * norm(chord) / (2 * mesh.tension(film));
   mesh.set_half_angle(h, mesh.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
   return parted;
 }
 
-/// Whether the bubble has three sides and its neighbours can spare one each.
-template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Index bubble) {
-  if (!mesh.has_bubble(bubble) || mesh.sides[Mesh::size(bubble)] != 3) {
+/// Whether the bubble has three sides, its neighbours can spare one each, and the three films that
+/// are to meet can hold each other's tensions.
+template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bubble bubble) {
+  if (!mesh.has_bubble(bubble) || mesh.sides[bubble] != 3) {
     return false;
   }
   bool possible = true;
-  for_each_half(mesh, bubble, [&](Index h) {
-    possible = possible && mesh.right(h) != bubble && detail::has_sides(mesh, Mesh::twin(h), 3);
+  std::array<Half, 3> outer{};
+  std::array<Bubble, 3> neighbours{};
+  std::size_t k = 0;
+  for_each_half(mesh, bubble, [&](Half h) {
+    possible = possible && mesh.right(h) != bubble && detail::has_sides(mesh, h.twin(), 3);
+    outer[k] = mesh.previous_around_junction(h);
+    neighbours[k] = mesh.right(h);
+    ++k;
   });
-  return possible;
+  return possible && (detail::pinned_beside(mesh, neighbours) || detail::can_meet(mesh, outer));
 }
 
 /// What is new after a T2: the three films that were prolonged and the bubbles between them.
 struct T2Result {
-  std::array<Index, 3> films;
-  std::array<Index, 3> bubbles;
+  std::array<Film, 3> films;
+  std::array<Bubble, 3> bubbles;
 };
 
 /// Removes a three-sided bubble (thesis Figure 3.4). Its three outer films are prolonged along
-/// their arcs until they meet, which in equilibrium they do in one point and at 120° (decoration
-/// theorem: D. Weaire, Phil. Mag. Lett. 79 (1999) 491); the rest of the foam stays in equilibrium
-/// when the neighbours' target areas grow by what they gain, and so they do here: no gas is lost
-/// but to the world. Where the arcs do not meet, the new junction is the mean of the three.
+/// their arcs until they meet, which in equilibrium, all tensions being equal, they do in one point
+/// and at 120° (decoration theorem: D. Weaire, Phil. Mag. Lett. 79 (1999) 491); the rest of the
+/// foam stays in equilibrium when the neighbours' target areas grow by what they gain, and so they
+/// do here: no gas is lost but to an outside. Where the arcs do not meet, as with other tensions,
+/// the new junction is the point nearest to all three, or else the mean of the bubble's corners.
 template <class Mesh>
-FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Index bubble) {
-  std::array<Index, 3> inner{};  // the bubble's half-films
-  std::array<Index, 3> outer{};  // the film that leaves each one's start
-  std::array<Index, 3> corner{}; // its start
+FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Bubble bubble) {
+  std::array<Half, 3> inner{};      // the bubble's half-films
+  std::array<Half, 3> outer{};      // the film that leaves each one's start
+  std::array<Junction, 3> corner{}; // its start
   T2Result result{};
   {
     std::size_t k = 0;
-    for_each_half(mesh, bubble, [&](Index h) {
+    for_each_half(mesh, bubble, [&](Half h) {
       inner[k] = h;
       outer[k] = mesh.previous_around_junction(h);
       corner[k] = mesh.start(h);
-      result.films[k] = Mesh::film_of(outer[k]);
+      result.films[k] = outer[k].film();
       result.bubbles[k] = mesh.right(h);
       ++k;
     });
   }
   const detail::GasLedger<3> gas(mesh, bubble, result.bubbles);
 
-  const Vec2 origin = mesh.position[Mesh::size(corner[0])];
+  const Vec2 origin = mesh.position[corner[0]];
   const std::array<Vec2, 3> offset{Vec2{}, mesh.chord(inner[0]), -mesh.chord(inner[2])};
   const Vec2 mean = origin + (1.0 / 3) * (offset[1] + offset[2]);
   std::array<detail::Circle, 3> circles{};
@@ -180,7 +212,7 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Index bubble) {
 
   Vec2 meeting = detail::common_point(circles, mean, size);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (mesh.boundary == Boundary::Fixed && result.bubbles[k] == kWorld) {
+    if (mesh.surroundings.has_walls() && result.bubbles[k].is_outside()) {
       const std::size_t next = (k + 1) % 3;
       const Vec2 begin = origin + offset[k];
       const Vec2 end = origin + offset[next];
@@ -191,13 +223,13 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Index bubble) {
   const std::array<Wrap, 3> to_corner{Wrap{}, mesh.wrap(inner[0]), -mesh.wrap(inner[2])};
   for (std::size_t k = 1; k < 3; ++k) {
     mesh.set_wrap(outer[k], mesh.wrap(outer[k]) + to_corner[k]);
-    mesh.half_junction[Mesh::size(outer[k])] = corner[0];
+    mesh.half_junction[outer[k]] = corner[0];
     detail::remove_junction(mesh, corner[k]);
   }
-  mesh.junction_half[Mesh::size(corner[0])] = outer;
-  mesh.position[Mesh::size(corner[0])] = meeting;
+  mesh.junction_half[corner[0]] = outer;
+  mesh.position[corner[0]] = meeting;
   for (std::size_t k = 0; k < 3; ++k) {
-    detail::remove_film(mesh, Mesh::film_of(inner[k]));
+    detail::remove_film(mesh, inner[k].film());
     detail::represent(mesh, outer[k]);
     detail::add_sides(mesh, result.bubbles[k], -1);
     const Vec2 new_chord = origin + offset[k] + chord[k] - meeting;
@@ -211,51 +243,58 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Index bubble) {
   return result;
 }
 
-/// Whether the bubble has two sides and is not one of a double bubble.
-template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Index bubble) {
-  if (!mesh.has_bubble(bubble) || mesh.sides[Mesh::size(bubble)] != 2) {
+/// Whether the bubble has two sides and is not one of a double bubble, and the film that remains
+/// can hold its tension where the other one ended.
+template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bubble bubble) {
+  if (!mesh.has_bubble(bubble) || mesh.sides[bubble] != 2) {
     return false;
   }
-  const Index h = mesh.bubble_half[Mesh::size(bubble)];
-  return detail::has_sides(mesh, Mesh::twin(h), 4) &&
-         detail::has_sides(mesh, Mesh::twin(mesh.next_in_bubble(h)), 4);
+  const Half e0 = mesh.bubble_half[bubble];
+  const Half e1 = mesh.next_in_bubble(e0);
+  const Half remaining = mesh.previous_around_junction(e0);
+  const Half end = mesh.previous_around_junction(e1).twin();
+  return detail::has_sides(mesh, e0.twin(), 4) && detail::has_sides(mesh, e1.twin(), 4) &&
+         (!mesh.freedom(mesh.start(end)).any() ||
+          detail::can_meet(mesh, {remaining, mesh.next_around_junction(end),
+                                  mesh.previous_around_junction(end)}));
 }
 
 /// Removes a two-sided bubble: the film that it floats on closes behind it, an arc of one circle in
-/// equilibrium. Its two neighbours' target areas grow by what they gain. Beside a container's wall
-/// the wall is straightened, which may cost a sliver of the container's area.
+/// equilibrium. Of its two pieces the one remains that leaves the start of the bubble's half-film,
+/// with its tension. The bubble's two neighbours' target areas grow by what they gain. Beside a
+/// container's wall the wall is straightened, which may cost a sliver of the container's area.
 /// \returns the two neighbours.
 template <class Mesh>
-FOAM_HOST_DEVICE std::array<Index, 2> remove_two_sided_bubble(Mesh& mesh, Index bubble) {
-  const Index e0 = mesh.bubble_half[Mesh::size(bubble)];
-  const Index e1 = mesh.next_in_bubble(e0);
+FOAM_HOST_DEVICE std::array<Bubble, 2> remove_two_sided_bubble(Mesh& mesh, Bubble bubble) {
+  const Half e0 = mesh.bubble_half[bubble];
+  const Half e1 = mesh.next_in_bubble(e0);
   const std::array neighbours{mesh.right(e0), mesh.right(e1)};
-  const Index j0 = mesh.start(e0);
-  const Index j1 = mesh.start(e1);
-  const Index o0 = mesh.previous_around_junction(e0);
-  const Index o1 = mesh.previous_around_junction(e1);
+  const Junction j0 = mesh.start(e0);
+  const Junction j1 = mesh.start(e1);
+  const Half o0 = mesh.previous_around_junction(e0);
+  const Half o1 = mesh.previous_around_junction(e1);
   const detail::GasLedger<2> gas(mesh, bubble, neighbours);
 
-  const Index end = mesh.end(o1);
+  const Junction end = mesh.end(o1);
   const Vec2 old_chord = mesh.chord(o0);
   const Vec2 chord = old_chord - mesh.chord(e0) - mesh.chord(o1);
   mesh.set_wrap(o0, mesh.wrap(o0) - mesh.wrap(e0) - mesh.wrap(o1));
-  mesh.half_junction[Mesh::size(o0)] = end;
-  for (Index& half : mesh.junction_half[Mesh::size(end)]) {
-    half = half == Mesh::twin(o1) ? o0 : half;
+  mesh.half_junction[o0] = end;
+  for (Half& half : mesh.junction_half[end]) {
+    half = half == o1.twin() ? o0 : half;
   }
   mesh.set_half_angle(
       o0, mesh.wall(o0) ? 0 : detail::prolonged_half_angle(mesh.half_angle(o0), old_chord, chord));
 
-  for (const Index h : {e0, e1, o1}) {
-    detail::remove_film(mesh, Mesh::film_of(h));
+  for (const Half h : {e0, e1, o1}) {
+    detail::remove_film(mesh, h.film());
   }
   detail::remove_junction(mesh, j0);
   detail::remove_junction(mesh, j1);
   detail::remove_bubble(mesh, bubble);
   detail::represent(mesh, o0);
-  detail::represent(mesh, Mesh::twin(o0));
-  for (const Index neighbour : neighbours) {
+  detail::represent(mesh, o0.twin());
+  for (const Bubble neighbour : neighbours) {
     detail::add_sides(mesh, neighbour, -2);
   }
   gas.share_out(mesh);
@@ -265,11 +304,11 @@ FOAM_HOST_DEVICE std::array<Index, 2> remove_two_sided_bubble(Mesh& mesh, Index 
 /// Slides a two-sided bubble along the shorter of the two films that end in it, until that film is
 /// `distance` (cm) long (thesis 3.6.1). Does nothing if it is that short already.
 template <class Mesh>
-FOAM_HOST_DEVICE void slide_two_sided_bubble(Mesh& mesh, Index bubble, double distance) {
-  const Index e0 = mesh.bubble_half[Mesh::size(bubble)];
-  const Index e1 = mesh.next_in_bubble(e0);
-  Index ahead = mesh.previous_around_junction(e0);
-  Index behind = mesh.previous_around_junction(e1);
+FOAM_HOST_DEVICE void slide_two_sided_bubble(Mesh& mesh, Bubble bubble, double distance) {
+  const Half e0 = mesh.bubble_half[bubble];
+  const Half e1 = mesh.next_in_bubble(e0);
+  Half ahead = mesh.previous_around_junction(e0);
+  Half behind = mesh.previous_around_junction(e1);
   if (mesh.length(behind) < mesh.length(ahead)) {
     std::swap(ahead, behind);
   }
@@ -283,13 +322,13 @@ FOAM_HOST_DEVICE void slide_two_sided_bubble(Mesh& mesh, Index bubble, double di
   const double alpha = mesh.half_angle(ahead);
   const double turn = 2 * alpha * way / length;
   const Vec2 move = arc_point({}, mesh.chord(ahead), alpha, way / length);
-  const Index front = mesh.start(ahead);
-  const Index back = mesh.start(behind);
+  const Junction front = mesh.start(ahead);
+  const Junction back = mesh.start(behind);
   const Vec2 across = mesh.chord(front == mesh.start(e0) ? e0 : e1);
   const Vec2 back_chord = mesh.chord(behind);
   const Vec2 back_move = move + rotated(across, turn) - across;
-  mesh.position[Mesh::size(front)] += move;
-  mesh.position[Mesh::size(back)] += back_move;
+  mesh.position[front] += move;
+  mesh.position[back] += back_move;
   mesh.set_half_angle(ahead, alpha - 0.5 * turn);
   mesh.set_half_angle(behind, detail::prolonged_half_angle(mesh.half_angle(behind), back_chord,
                                                            back_chord - back_move));

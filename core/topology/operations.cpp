@@ -17,19 +17,19 @@ void note(Foam& foam, std::int64_t& count) {
 
 } // namespace
 
-std::array<Index, 2> perform_t1(Foam& foam, Index film) {
+std::array<Bubble, 2> perform_t1(Foam& foam, Film film) {
   const auto losers = swap_film(foam, film);
   note(foam, foam.t1_count);
   return losers;
 }
 
-T2Result perform_t2(Foam& foam, Index bubble) {
+T2Result perform_t2(Foam& foam, Bubble bubble) {
   const T2Result result = remove_three_sided_bubble(foam, bubble);
   note(foam, foam.t2_count);
   return result;
 }
 
-std::array<Index, 2> perform_t3(Foam& foam, Index bubble) {
+std::array<Bubble, 2> perform_t3(Foam& foam, Bubble bubble) {
   const auto neighbours = remove_two_sided_bubble(foam, bubble);
   note(foam, foam.t3_count);
   return neighbours;

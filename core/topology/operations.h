@@ -11,12 +11,12 @@
 namespace foam {
 
 /// Swaps a film (swap_film). \returns the two bubbles that lost a side.
-std::array<Index, 2> perform_t1(Foam& foam, Index film);
+std::array<Bubble, 2> perform_t1(Foam& foam, Film film);
 
 /// Removes a three-sided bubble (remove_three_sided_bubble).
-T2Result perform_t2(Foam& foam, Index bubble);
+T2Result perform_t2(Foam& foam, Bubble bubble);
 
 /// Removes a two-sided bubble (remove_two_sided_bubble). \returns its two neighbours.
-std::array<Index, 2> perform_t3(Foam& foam, Index bubble);
+std::array<Bubble, 2> perform_t3(Foam& foam, Bubble bubble);
 
 } // namespace foam

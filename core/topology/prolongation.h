@@ -34,8 +34,9 @@ struct Circle {
   }
 };
 
-/// The common point of three circles nearest to `start`, by Gauss–Newton on their equations;
-/// `start` itself where there is none within `size` of it.
+/// The common point of three circles nearest to `start`, by Gauss–Newton on their equations, which
+/// leads to the point nearest to them in the sense of least squares if they have none in common;
+/// `start` itself where that is not found within `size` of it.
 FOAM_HOST_DEVICE inline Vec2 common_point(const std::array<Circle, 3>& circles, Vec2 start,
                                           double size) {
   Vec2 x = start;

@@ -17,9 +17,9 @@ struct TwoSidedRule {
 
   /// Whether a two-sided bubble slides and stays. On the wall of a container it has no corner to
   /// slide to.
-  template <class Mesh> FOAM_HOST_DEVICE bool slides(const Mesh& mesh, Index bubble) const {
+  template <class Mesh> FOAM_HOST_DEVICE bool slides(const Mesh& mesh, Bubble bubble) const {
     return fate == TwoSidedBubbles::Slide &&
-           !(mesh.boundary == Boundary::Fixed && mesh.bubble_on_world(bubble));
+           !(mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble));
   }
 
   /// How far from its corner a bubble slides, cm. The film between is to be found short enough for

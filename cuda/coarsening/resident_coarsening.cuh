@@ -57,13 +57,14 @@ public:
   const FoamRecord& record() const override { return foam_; }
 
   SampledFoam sample(double chord_error) override {
-    SampledFoam sampled = sampler_.sample(now_.view(), names_, chord_error);
+    SampledFoam sampled = sampler_.sample(const_view(now_.view()), names_, chord_error);
     sampled.record = foam_;
+    sampled.exteriors = foam_.exterior;
     return sampled;
   }
 
   FoamStatistics statistics(bool include_boundary) override {
-    return statistics_.measure(now_.view(), names_, include_boundary);
+    return statistics_.measure(const_view(now_.view()), names_, include_boundary);
   }
 
 private:

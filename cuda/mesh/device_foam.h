@@ -6,7 +6,10 @@
 
 namespace foam::cuda {
 
-/// A foam's arrays on the device, and no more of it: names, time and counts stay with the Foam.
+/// A value for each element of a kind, in the device's memory.
+template <class Element, class T> class DeviceField : public DeviceArray<T> {};
+
+/// A foam's arrays on the device, and no more of it: time and counts stay with the Foam.
 class DeviceFoam {
 public:
   void upload(const Foam& foam);
@@ -18,20 +21,8 @@ public:
   FoamView view();
 
 private:
-  /// Under Foam's and FoamView's names.
-  struct Arrays {
-    DeviceArray<Index> bubble_half, sides;
-    DeviceArray<double> pressure, target_area;
-    DeviceArray<Index> half_junction, half_bubble;
-    DeviceArray<double> film_angle;
-    DeviceArray<Wrap> film_wrap;
-    DeviceArray<Vec2> position;
-    DeviceArray<std::array<Index, 3>> junction_half;
-  };
-
-  Arrays arrays_;
-  Boundary boundary_ = Boundary::Free;
-  Box box_;
+  FoamArrays<DeviceField> arrays_;
+  Surroundings surroundings_;
   double surface_tension_ = 0;
 };
 

@@ -27,6 +27,7 @@ public:
   T* data() { return data_; }
   const T* data() const { return data_; }
   std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
 
   /// Loses the elements where the array has to grow.
   void resize(std::size_t size) {

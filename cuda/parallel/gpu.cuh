@@ -9,8 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "mesh/elements.h"
+#include "mesh/ids.h"
 #include "parallel/device_array.h"
+#include "parallel/kernels.h"
 
 namespace foam::cuda {
 
@@ -37,6 +38,11 @@ public:
     }
   }
 
+  /// The same for the elements of a range (parallel::OfRange).
+  template <class Range, class Kernel> void for_each(const Range& range, const Kernel& kernel) {
+    for_each(range.size(), foam::parallel::OfRange<Range, Kernel>{range, kernel});
+  }
+
   /// zero, map(0), …, map(size − 1) combined; in an order that is the same every time on one
   /// device (CUB: run-to-run deterministic).
   template <class T, class Map, class Combine>
@@ -55,6 +61,11 @@ public:
     T value = zero;
     check(cudaMemcpy(&value, result, sizeof(T), cudaMemcpyDeviceToHost), "cudaMemcpy");
     return value;
+  }
+
+  template <class Range, class T, class Map, class Combine>
+  T reduce(const Range& range, T zero, const Map& map, const Combine& combine) {
+    return reduce(range.size(), zero, foam::parallel::OfRange<Range, Map>{range, map}, combine);
   }
 
   /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]

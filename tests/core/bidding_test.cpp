@@ -29,7 +29,7 @@ public:
   explicit Shuffled(unsigned seed) : generator_(seed) {}
 
   template <class Kernel> void for_each(Index size, const Kernel& kernel) {
-    std::vector<Index> order(Foam::size(size));
+    std::vector<Index> order(place_of(size));
     std::iota(order.begin(), order.end(), Index{0});
     std::shuffle(order.begin(), order.end(), generator_);
     std::for_each(order.begin(), order.end(), kernel);
@@ -54,10 +54,22 @@ struct Collapsed {
   OperationCount performed;
 };
 
+/// A flag for each element of a kind, all of them set.
+template <class Element> class AllSet {
+public:
+  explicit AllSet(Slots<Element> slots) : flags_(place_of(slots.size()), 1) {}
+  operator FieldView<Element, std::uint8_t>() {
+    return FieldView<Element, std::uint8_t>(flags_.data());
+  }
+
+private:
+  std::vector<std::uint8_t> flags_;
+};
+
 template <class Machine> Collapsed collapsed(Machine machine, Foam foam, const ThesisRules& rules) {
-  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+  AllSet swappable(foam.film_slots());
   const OperationCount performed =
-      Bidding<Machine>(machine).run(view_of(foam), Bids{rules, swappable.data()});
+      Bidding<Machine>(machine).run(view_of(foam), Bids{rules, swappable});
   return {std::move(foam), performed};
 }
 
@@ -76,13 +88,13 @@ void expect_same(const Foam& a, const Foam& b) {
 
 /// Performs the candidate with the lowest bid of all until there is none.
 OperationCount collapse_greedily(Foam& foam, const ThesisRules& rules) {
-  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const Bids bids{rules, swappable.data()};
+  AllSet swappable(foam.film_slots());
+  const Bids bids{rules, swappable};
   FoamView mesh = view_of(foam);
   OperationCount total;
   while (true) {
     Index best = 0;
-    for (Index i = 0; i < Bids::candidates(mesh); ++i) {
+    for (const Index i : Bids::candidates(mesh)) {
       best = bids.key(mesh, i) < bids.key(mesh, best) ? i : best;
     }
     if (bids.key(mesh, best) == kNoBid) {
@@ -100,12 +112,12 @@ INSTANTIATE_TEST_SUITE_P(Bidding, Boundaries,
 TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     Foam foam = test::jittered_foam(GetParam(), 300, seed);
-    std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
+    AllSet swappable(foam.film_slots());
     Host host;
     Bidding<Host> bidding(host);
     int rounds = 0;
     for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-      performed = bidding.round(view_of(foam), Bids{coarse_rules(), swappable.data()});
+      performed = bidding.round(view_of(foam), Bids{coarse_rules(), swappable});
       expect_valid(foam);
       count(foam, performed);
       ASSERT_LT(rounds, 1000);
@@ -119,28 +131,28 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
 
 TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
   Foam foam = test::jittered_foam(GetParam(), 400, 5);
-  std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const Bids bids{coarse_rules(), swappable.data()};
-  const FoamView mesh = view_of(foam);
+  AllSet swappable(foam.film_slots());
+  const Bids bids{coarse_rules(), swappable};
+  const ConstFoamView mesh = const_view(view_of(foam));
   std::vector<std::uint64_t> lowest(foam.bubble_half.size(), kNoBid);
-  std::vector<std::uint64_t> bid(Foam::size(Bids::candidates(mesh)));
+  const Slots<Index> candidates = Bids::candidates(mesh);
+  std::vector<std::uint64_t> bid(place_of(candidates.size()));
   Host host;
-  host.for_each(Bids::candidates(mesh),
-                detail::PlaceBids<Bids>{mesh, bids, bid.data(), lowest.data()});
-  host.for_each(Bids::candidates(mesh),
+  host.for_each(candidates.size(), detail::PlaceBids<Bids>{mesh, bids, bid.data(), lowest.data()});
+  host.for_each(candidates.size(),
                 detail::WithdrawBids<Bids>{mesh, bids, bid.data(), lowest.data()});
-  std::set<Index> taken;
+  std::set<Bubble> taken;
   int winners = 0;
-  for (Index i = 0; i < Bids::candidates(mesh); ++i) {
-    if (bid[Foam::size(i)] != kNoBid) {
+  for (const Index i : candidates) {
+    if (bid[place_of(i)] != kNoBid) {
       ++winners;
-      std::set<Index> own;
-      for (const Index b : Bids::bubbles(mesh, i)) {
+      std::set<Bubble> own;
+      for (const Bubble b : Bids::bubbles(mesh, i)) {
         own.insert(b);
       }
       own.erase(kWorld);
-      for (const Index b : own) {
-        EXPECT_TRUE(taken.insert(b).second) << b;
+      for (const Bubble b : own) {
+        EXPECT_TRUE(taken.insert(b).second) << b.index();
       }
     }
   }
@@ -198,17 +210,15 @@ TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
   const ThesisRules rules{.limit = {.t1_length = 0.05, .t2_area = 0},
                           .two_sided_bubbles = TwoSidedBubbles::Slide};
   std::int64_t slid = 0;
-  for (Index b = 0; b < serial.bubble_capacity(); ++b) {
-    if (serial.has_bubble(b) && serial.sides[Foam::size(b)] == 2 && rules.slides(serial, b)) {
+  for (const Bubble b : serial.bubble_slots()) {
+    if (serial.has_bubble(b) && serial.sides[b] == 2 && rules.slides(serial, b)) {
       slide_two_sided_bubble(serial, b, rules.two_sided().sliding_distance());
       ++slid;
     }
   }
-  std::vector<std::uint8_t> waiting(parallel.bubble_half.size(), 1);
+  AllSet waiting(parallel.bubble_slots());
   Host host(4, 16);
-  EXPECT_EQ(Bidding<Host>(host)
-                .run(view_of(parallel), SlideBids{rules.two_sided(), waiting.data()})
-                .count,
+  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules.two_sided(), waiting}).count,
             slid);
   EXPECT_GT(slid, 10);
   expect_same(parallel, serial);

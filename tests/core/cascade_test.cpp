@@ -15,27 +15,27 @@ namespace {
 /// Rules that check the foam whenever they are asked, which is after every change.
 CollapseRules checked(const CollapseRules& rules) {
   const auto check = [](auto rule) {
-    return [rule](const Foam& foam, Index i) {
+    return [rule](const Foam& foam, auto element) {
       expect_valid(foam);
-      return rule && rule(foam, i);
+      return rule && rule(foam, element);
     };
   };
   return {check(rules.t1), check(rules.t2), check(rules.t3)};
 }
 
-bool always(const Foam&, Index) {
+template <class Element> bool always(const Foam&, Element) {
   return true;
 }
-void nothing(Foam&, Index) {}
+void nothing(Foam&, Junction) {}
 
-bool small(const Foam& foam, Index bubble) {
-  return foam.target_area[Foam::size(bubble)] < 1;
+bool small(const Foam& foam, Bubble bubble) {
+  return foam.target_area[bubble] < 1;
 }
 
 /// The bubbles of Figure 4.5: C in a corner of B, which sits in a corner of A, which sits where
 /// three large bubbles meet. A T2 of C makes B three-sided, and that of B makes A so.
 struct Nested {
-  static constexpr Index kA = 3, kB = 4, kC = 5;
+  static constexpr Bubble kA{3}, kB{4}, kC{5};
   Foam foam = foam_of_polygons({{0, 9},
                                 {-8, -4.5},
                                 {8, -4.5}, // 0–2, outside
@@ -62,7 +62,7 @@ TEST(Cascade, FollowsT2AfterT2) { // Figure 4.5
   EXPECT_EQ(foam.t2_count, 3);
   EXPECT_FALSE(foam.has_bubble(Nested::kA) || foam.has_bubble(Nested::kB) ||
                foam.has_bubble(Nested::kC));
-  EXPECT_EQ(result.bubbles, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(result.bubbles, (std::vector{Bubble(0), Bubble(1), Bubble(2)}));
   EXPECT_TRUE(result.changed());
   expect_valid(foam);
 }
@@ -70,9 +70,9 @@ TEST(Cascade, FollowsT2AfterT2) { // Figure 4.5
 TEST(Cascade, StartsFromTheBubblesGiven) {
   Nested nested;
   const CollapseRules rules = checked({.t1 = {}, .t2 = small, .t3 = {}});
-  const Index b[] = {Nested::kB}; // four-sided: nothing to do
+  const Bubble b[] = {Nested::kB}; // four-sided: nothing to do
   EXPECT_FALSE(topological_cascade(nested.foam, rules, {}, b).changed());
-  const Index c[] = {Nested::kC};
+  const Bubble c[] = {Nested::kC};
   EXPECT_TRUE(topological_cascade(nested.foam, rules, {}, c).changed());
   EXPECT_EQ(nested.foam.t2_count, 3);
 }
@@ -86,13 +86,13 @@ TEST(ImprovedAlgorithm, RepeatsUntilNothingGivesWay) {
 TEST(OriginalAlgorithm, MissesACascade) {
   Nested nested;
   Foam& foam = nested.foam;
-  std::set<Index> equilibrated;
+  std::set<Junction> equilibrated;
   original_algorithm(foam, checked({.t1 = {}, .t2 = small, .t3 = {}}),
-                     [&](Foam&, Index j) { equilibrated.insert(j); });
+                     [&](Foam&, Junction j) { equilibrated.insert(j); });
   EXPECT_FALSE(foam.has_bubble(Nested::kC));
   EXPECT_TRUE(foam.has_bubble(Nested::kA)); // its junctions came before
-  EXPECT_TRUE(equilibrated.contains(3) && equilibrated.contains(4));
-  EXPECT_FALSE(equilibrated.contains(7)); // gave way instead
+  EXPECT_TRUE(equilibrated.contains(Junction(3)) && equilibrated.contains(Junction(4)));
+  EXPECT_FALSE(equilibrated.contains(Junction(7))); // gave way instead
   expect_valid(foam);
 }
 
@@ -100,18 +100,18 @@ TEST(OriginalAlgorithm, MissesACascade) {
 /// film that ends in the bubble.
 struct TwoT1s {
   Foam foam = honeycomb(6, 3);
-  Index bubble = 8;
-  Index first = kNone, second = kNone;
-  std::set<Index> wanted;
+  Bubble bubble{8};
+  Film first = kNone, second = kNone;
+  std::set<Film> wanted;
 
   TwoT1s() {
-    while (foam.sides[Foam::size(bubble)] > 4) {
-      perform_t1(foam, Foam::film_of(foam.bubble_half[Foam::size(bubble)]));
+    while (foam.sides[bubble] > 4) {
+      perform_t1(foam, foam.bubble_half[bubble].film());
     }
-    for_each_half(foam, bubble, [&](Index side) {
-      for_each_half(foam, bubble, [&](Index h) {
-        const Index side_film = Foam::film_of(side);
-        const Index spoke = Foam::film_of(foam.previous_around_junction(h));
+    for_each_half(foam, bubble, [&](Half side) {
+      for_each_half(foam, bubble, [&](Half h) {
+        const Film side_film = side.film();
+        const Film spoke = foam.previous_around_junction(h).film();
         if (foam.start(h) != foam.start(side) && foam.start(h) != foam.end(side) &&
             side_film < spoke) {
           first = side_film;
@@ -125,8 +125,8 @@ struct TwoT1s {
 
   /// Each film wants its T1 once; the bubble wants to vanish.
   CollapseRules rules() {
-    return checked({.t1 = [this](const Foam&, Index film) { return wanted.erase(film) > 0; },
-                    .t2 = [this](const Foam&, Index b) { return b == bubble; },
+    return checked({.t1 = [this](const Foam&, Film film) { return wanted.erase(film) > 0; },
+                    .t2 = [this](const Foam&, Bubble b) { return b == bubble; },
                     .t3 = {}});
   }
 };
@@ -146,51 +146,52 @@ TEST(ImprovedAlgorithm, LosesAT2BetweenTwoT1s) { // Figure 4.7
   improved_algorithm(t.foam, t.rules());
   EXPECT_EQ(t.foam.t1_count, 2);
   EXPECT_EQ(t.foam.t2_count, 0);
-  EXPECT_EQ(t.foam.sides[Foam::size(t.bubble)], 4);
+  EXPECT_EQ(t.foam.sides[t.bubble], 4);
   expect_valid(t.foam);
 }
 
 TEST(Cascade, ReportsTheBubblesAroundAT1) {
   Foam foam = honeycomb(6, 3);
-  const Index film[] = {5};
-  const Index h = 2 * film[0];
-  std::vector<Index> around{foam.left(h), foam.right(h), foam.left(foam.next_around_junction(h)),
-                            foam.left(foam.next_around_junction(Foam::twin(h)))};
+  const Film film[] = {Film(5)};
+  const Half h = film[0].half();
+  std::vector<Bubble> around{foam.left(h), foam.right(h), foam.left(foam.next_around_junction(h)),
+                             foam.left(foam.next_around_junction(h.twin()))};
   std::ranges::sort(around);
   const CascadeResult result =
-      topological_cascade(foam, checked({.t1 = always, .t2 = {}, .t3 = {}}), film, {});
+      topological_cascade(foam, checked({.t1 = always<Film>, .t2 = {}, .t3 = {}}), film, {});
   EXPECT_EQ(foam.t1_count, 1);
   EXPECT_EQ(result.bubbles, around);
 }
 
 /// A bubble of a honeycomb that has lost all but two of its sides.
-Foam with_two_sided_bubble(Index bubble) {
+Foam with_two_sided_bubble(Bubble bubble) {
   Foam foam = honeycomb(6, 3);
-  while (foam.sides[Foam::size(bubble)] > 2) {
-    perform_t1(foam, Foam::film_of(foam.bubble_half[Foam::size(bubble)]));
+  while (foam.sides[bubble] > 2) {
+    perform_t1(foam, foam.bubble_half[bubble].film());
   }
   foam.t1_count = 0;
   return foam;
 }
 
 TEST(Cascade, PerformsT3OnlyWhereTheRuleAsks) {
-  Foam foam = with_two_sided_bubble(8);
+  Foam foam = with_two_sided_bubble(Bubble(8));
   expect_valid(foam);
-  EXPECT_FALSE(topological_cascade(foam, checked({.t1 = {}, .t2 = always, .t3 = {}})).changed());
+  EXPECT_FALSE(
+      topological_cascade(foam, checked({.t1 = {}, .t2 = always<Bubble>, .t3 = {}})).changed());
   const CascadeResult result =
-      topological_cascade(foam, checked({.t1 = {}, .t2 = {}, .t3 = always}));
+      topological_cascade(foam, checked({.t1 = {}, .t2 = {}, .t3 = always<Bubble>}));
   EXPECT_EQ(foam.t3_count, 1);
-  EXPECT_FALSE(foam.has_bubble(8));
+  EXPECT_FALSE(foam.has_bubble(Bubble(8)));
   EXPECT_EQ(result.bubbles.size(), 2U);
   expect_valid(foam);
 }
 
 TEST(Cascade, TestsAgainTheFilmThatAT3Leaves) {
-  Foam foam = with_two_sided_bubble(8);
-  const Index bubble[] = {8};
-  std::set<Index> swapped;
-  const auto once = [&](const Foam&, Index film) { return swapped.insert(film).second; };
-  topological_cascade(foam, checked({.t1 = once, .t2 = {}, .t3 = always}), {}, bubble);
+  Foam foam = with_two_sided_bubble(Bubble(8));
+  const Bubble bubble[] = {Bubble(8)};
+  std::set<Film> swapped;
+  const auto once = [&](const Foam&, Film film) { return swapped.insert(film).second; };
+  topological_cascade(foam, checked({.t1 = once, .t2 = {}, .t3 = always<Bubble>}), {}, bubble);
   EXPECT_EQ(foam.t3_count, 1);
   EXPECT_EQ(foam.t1_count, 1);
 }
@@ -200,9 +201,10 @@ TEST(Cascade, EndsWhateverTheRulesSay) {
     Foam foam = honeycomb(8, 4);
     const Index films = foam.film_count();
     const Index bubbles = foam.bubble_count();
-    topological_cascade(
-        foam,
-        checked({.t1 = always, .t2 = always, .t3 = t3 ? always : decltype(&always){nullptr}}));
+    topological_cascade(foam,
+                        checked({.t1 = always<Film>,
+                                 .t2 = always<Bubble>,
+                                 .t3 = t3 ? always<Bubble> : decltype(&always<Bubble>){nullptr}}));
     EXPECT_LE(foam.t1_count, films + 3 * bubbles);
     EXPECT_GT(foam.t2_count + foam.t3_count, 0);
     expect_valid(foam);
@@ -212,7 +214,8 @@ TEST(Cascade, EndsWhateverTheRulesSay) {
 TEST(ThesisAlgorithms, EndWhateverTheRulesSay) {
   Foam original = honeycomb(8, 4);
   Foam improved = original;
-  const CollapseRules rules = checked({.t1 = always, .t2 = always, .t3 = always});
+  const CollapseRules rules =
+      checked({.t1 = always<Film>, .t2 = always<Bubble>, .t3 = always<Bubble>});
   original_algorithm(original, rules, nothing);
   improved_algorithm(improved, rules);
   expect_valid(original);

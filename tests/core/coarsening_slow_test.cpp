@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "coarsening/coarsening.h"
-#include "coarsening/diffusion.h"
 #include "engines/engines.h"
 #include "foams.h"
+#include "physics/gas.h"
 #include "statistics/ensemble.h"
 #include "statistics/statistics.h"
 
@@ -45,7 +45,7 @@ ScalingState coarsen_to_scaling_state(std::uint64_t seed) {
   auto coarsening = make_coarsening({});
   coarsening->restart(random_foam(2000, Boundary::Periodic, seed));
   const Foam& foam = coarsening->foam();
-  const auto mean_area = [&] { return foam.box.width() * foam.box.height() / foam.bubble_count(); };
+  const auto mean_area = [&] { return foam.surroundings.lattice.area() / foam.bubble_count(); };
   double begin_time = 0;
   double begin_area = 0;
   double counted = 0;

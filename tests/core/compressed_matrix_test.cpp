@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "../newton_on_host.h"
 #include "../two_sided_bubbles.h"
 #include "base/error.h"
 #include "construct/honeycomb.h"
 #include "engines/engines.h"
-#include "equilibrium/krylov_equilibrator.h"
 #include "foams.h"
 #include "topology/operations.h"
 
@@ -36,44 +36,34 @@ Matrix lower(const LowerTriangle& m) {
 class BothMatrices {
 public:
   explicit BothMatrices(Foam& foam, int threads = 1)
-      : host_(threads, 1),
-        mesh_(view_of(foam)), units_{foam.mean_spacing(), 2 * foam.surface_tension},
-        stiffness_(foam.film_angle.size()), gradient_(foam.film_angle.size()) {
-    host_.for_each(mesh_.films, Linearise{mesh_, units_, 0.3, stiffness_.data(), gradient_.data()});
-  }
+      : host_(threads, 1), system_(host_, view_of(foam), foam.mean_spacing(), 0.3),
+        junctions_(foam.junction_slots().size()) {}
 
-  Index size() const { return size_of(mesh_); }
-  LowerTriangle assemble() { return compressed_.assemble({mesh_, stiffness_.data()}); }
+  Index size() const { return system_.size(); }
+  LowerTriangle assemble() { return system_.assemble(); }
 
   Eigen::VectorXd product(const Eigen::VectorXd& x) {
     Eigen::VectorXd y(size());
-    host_.for_each(mesh_.junctions + mesh_.bubbles,
-                   Multiply{{mesh_, stiffness_.data()}, x.data(), y.data()});
+    system_.multiply(x.data(), y.data());
     return y;
   }
 
-  bool is_unknown(Index i) const {
-    return i < 2 * mesh_.junctions ? moves(mesh_, i / 2)
-                                   : mesh_.has_bubble(i - 2 * mesh_.junctions);
-  }
+  bool is_unknown(Index i) const { return system_.is_unknown(i); }
   double regularisation(Index i) const {
-    return i < 2 * mesh_.junctions ? kRegularisation : -kRegularisation;
+    return i < 2 * junctions_ ? kRegularisation : -kRegularisation;
   }
 
 private:
   Host host_;
-  FoamView mesh_;
-  Units units_;
-  std::vector<FilmStiffness> stiffness_;
-  std::vector<FilmGradient> gradient_;
-  CompressedMatrix<Host> compressed_{host_};
+  test::NewtonSystem<Host> system_;
+  Index junctions_;
 };
 
 /// One that has lost two-sided bubbles, so that its arrays have gaps.
 Foam with_gaps() {
   Foam foam = test::with_two_sided_bubbles(disordered(6));
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    if (foam.sides[Foam::size(b)] == 2 && can_perform_t3(foam, b)) {
+  for (const Bubble b : foam.bubble_slots()) {
+    if (foam.sides[b] == 2 && can_perform_t3(foam, b)) {
       perform_t3(foam, b);
     }
   }
@@ -112,7 +102,7 @@ TEST(CompressedMatrix, IsThatOfTheProducts) {
     expect_both_the_same(test::random_foam(16, boundary));
   }
   const Foam gaps = with_gaps();
-  ASSERT_LT(gaps.bubble_count(), gaps.bubble_capacity());
+  ASSERT_LT(gaps.bubble_count(), gaps.bubble_slots().size());
   expect_both_the_same(gaps);
 }
 
@@ -166,25 +156,27 @@ struct Found {
 
 Found equilibrate(Boundary boundary, std::unique_ptr<DirectSolver> direct) {
   Foam foam = test::random_foam(60, boundary, 3);
-  for (std::size_t b = 0; b + 1 < foam.target_area.size(); b += 2) {
-    const double gas = 0.1 * std::min(foam.target_area[b], foam.target_area[b + 1]);
-    foam.target_area[b] += gas;
-    foam.target_area[b + 1] -= gas;
+  for (Index i = 0; i + 1 < foam.bubble_slots().size(); i += 2) {
+    double& first = foam.target_area[Bubble(i)];
+    double& second = foam.target_area[Bubble(i + 1)];
+    const double gas = 0.1 * std::min(first, second);
+    first += gas;
+    second -= gas;
   }
   EquilibratorOptions options;
   options.tolerance = 1e-11;
   Host host;
   const NewtonResult result =
-      ParallelNewton<Host>(host, options, std::move(direct)).equilibrate(view_of(foam), 0, {});
+      MachineNewton<Host>(host, options, std::move(direct)).equilibrate(view_of(foam), 0, {});
   return {foam, result};
 }
 
 void expect_same_equilibrium(const Found& a, const Found& b) {
   EXPECT_TRUE(a.result.report.converged);
   EXPECT_TRUE(b.result.report.converged);
-  for (Index f = 0; f < a.foam.film_capacity(); ++f) {
+  for (const Film f : a.foam.film_slots()) {
     if (a.foam.has_film(f)) {
-      EXPECT_NEAR(a.foam.length(2 * f), b.foam.length(2 * f), 1e-9);
+      EXPECT_NEAR(a.foam.length(f.half()), b.foam.length(f.half()), 1e-9);
     }
   }
 }

@@ -48,7 +48,7 @@ TEST(Evolver, SameEquilibriumFromDisturbedPositions) {
   EXPECT_LT(report.max_area_error, 1e-12);
   EXPECT_NEAR(foam.energy(), reference.energy(), 1e-9);
   double largest = 0;
-  for (std::size_t b = 0; b < foam.pressure.size(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     largest = std::max(largest, std::abs(foam.pressure[b] - mean_pressure(foam) -
                                          reference.pressure[b] + mean_pressure(reference)));
   }

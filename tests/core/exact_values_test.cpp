@@ -82,9 +82,9 @@ TEST(ExactValues, UnequalDoubleBubbles) {
     equilibrate(foam, 1e-13);
     expect_equilibrium(foam);
     EXPECT_NEAR(foam.energy(), number(row, "P_line_tension_1"), 1e-10);
-    EXPECT_NEAR(foam.pressure[0], number(row, "dp1_over_2gamma"), 1e-9);
-    EXPECT_NEAR(foam.pressure[1], number(row, "dp2_over_2gamma"), 1e-9);
-    EXPECT_NEAR(norm(foam.chord(0)), number(row, "interface_chord"), 1e-10);
+    EXPECT_NEAR(foam.pressure[Bubble(0)], number(row, "dp1_over_2gamma"), 1e-9);
+    EXPECT_NEAR(foam.pressure[Bubble(1)], number(row, "dp2_over_2gamma"), 1e-9);
+    EXPECT_NEAR(norm(foam.chord(Half(0))), number(row, "interface_chord"), 1e-10);
   }
 }
 
@@ -95,16 +95,16 @@ TEST(ExactValues, FlowersAndTheirRegularPolygons) {
     const Foam foam = unit_cluster(flower_points(petals));
     expect_valid(foam);
     EXPECT_TRUE(foam.report.converged) << petals;
-    ASSERT_EQ(foam.sides[0], petals);
+    ASSERT_EQ(foam.sides[Bubble(0)], petals);
     EXPECT_NEAR(foam.energy(), number(row, "P_unit_area_line_tension1"), 1e-10) << petals;
-    EXPECT_NEAR(foam.pressure[0], number(row, "p_center"), 1e-9) << petals;
-    EXPECT_NEAR(foam.pressure[1], number(row, "p_petal"), 1e-9) << petals;
+    EXPECT_NEAR(foam.pressure[Bubble(0)], number(row, "p_center"), 1e-9) << petals;
+    EXPECT_NEAR(foam.pressure[Bubble(1)], number(row, "p_petal"), 1e-9) << petals;
     // The bubble in the middle is the regular n-gon with 120° corners.
     const auto polygon = std::ranges::find_if(
         polygons, [&](const auto& p) { return std::stoi(p.at("n")) == petals; });
     ASSERT_NE(polygon, polygons.end());
     double perimeter = 0;
-    for_each_half(foam, 0, [&](Index h) {
+    for_each_half(foam, Bubble(0), [&](Half h) {
       perimeter += foam.length(h);
       EXPECT_NEAR(foam.half_angle(h), number(*polygon, "arc_half_angle_rad"), 1e-10);
       EXPECT_NEAR(arc_curvature(norm(foam.chord(h)), foam.half_angle(h)),
@@ -127,9 +127,9 @@ Foam honeycomb(int n, double stretch) {
   BuildOptions options;
   options.boundary = Boundary::Periodic;
   options.surface_tension = 0.5;
-  options.periodic_box = Box{0, n * spacing, 0, n * row};
+  options.torus = Lattice::rectangle(0, n * spacing, 0, n * row);
   Foam foam = build_from_points(points, options);
-  foam.box = {0, n * spacing * stretch, 0, n * row / stretch};
+  foam.surroundings.lattice = Lattice::rectangle(0, n * spacing * stretch, 0, n * row / stretch);
   for (Vec2& x : foam.position) {
     x = {x.x * stretch, x.y / stretch};
   }
@@ -165,8 +165,8 @@ TEST(ExactValues, VirialOfFreeClusters) {
     expect_valid(foam);
     expect_equilibrium(foam);
     double work = 0;
-    for (Index b = 0; b < n; ++b) {
-      work += foam.pressure[Foam::size(b)] * foam.area(b);
+    for (const Bubble b : foam.bubble_slots()) {
+      work += foam.pressure[b] * foam.area(b);
     }
     EXPECT_NEAR(work / (0.5 * foam.energy()), 1, 1e-9) << n;
   }
@@ -175,12 +175,12 @@ TEST(ExactValues, VirialOfFreeClusters) {
 TEST(ExactValues, ThreeCentresOfCurvatureAreCollinear) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic}) {
     const Foam foam = random_foam(100, boundary, 4);
-    for (Index j = 0; j < foam.junction_capacity(); ++j) {
+    for (const Junction j : foam.junction_slots()) {
       double sum = 0;
       std::array<Vec2, 3> centre_times_curvature;
       std::array<double, 3> curvature{};
       for (std::size_t k = 0; k < 3; ++k) {
-        const Index h = foam.junction_half[Foam::size(j)][k];
+        const Half h = foam.junction_half[j][k];
         curvature[k] = arc_curvature(norm(foam.chord(h)), foam.half_angle(h));
         centre_times_curvature[k] = left_normal(foam.tangent(h));
         sum += curvature[k];

@@ -22,14 +22,14 @@ namespace {
 Foam poisson_foam(Index bubbles, std::uint64_t seed) {
   const double side = std::sqrt(bubbles);
   std::mt19937_64 generator(seed);
-  std::vector<Vec2> points(Foam::size(bubbles));
+  std::vector<Vec2> points(place_of(bubbles));
   for (Vec2& p : points) {
     p.x = side * static_cast<double>(generator() >> 11) * 0x1p-53;
     p.y = side * static_cast<double>(generator() >> 11) * 0x1p-53;
   }
   BuildOptions options;
   options.boundary = Boundary::Periodic;
-  options.periodic_box = Box{0, side, 0, side};
+  options.torus = Lattice::rectangle(0, side, 0, side);
   Foam foam = build_from_points(points, options);
   for (double& area : foam.target_area) {
     area = 0.5 * (area + 1);
@@ -58,9 +58,9 @@ TEST(FarStart, SoftGasLeavesAFoamNearEquilibrium) {
   EXPECT_GT(area_error, 0.5);
   EXPECT_LT(max_area_error(foam), 0.1);
   Index unbalanced = 0;
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     Vec2 pull;
-    for (const Index h : foam.junction_half[Foam::size(j)]) {
+    for (const Half h : foam.junction_half[j]) {
       pull += foam.tangent(h);
     }
     unbalanced += norm(pull) > 0.1 ? 1 : 0;

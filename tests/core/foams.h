@@ -50,7 +50,7 @@ inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1
   options.boundary = boundary;
   if (boundary == Boundary::Periodic) {
     const double side = std::ceil(std::sqrt(bubbles));
-    options.periodic_box = Box{0, side, 0, side};
+    options.torus = Lattice::rectangle(0, side, 0, side);
   }
   Foam foam = build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
   equilibrate(foam);

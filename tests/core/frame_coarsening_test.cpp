@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.h"
 #include "construct/jittered_grid.h"
 #include "engines/engines.h"
 #include "hand_made.h"
@@ -27,15 +28,15 @@ Foam free_foam(Index bubbles, std::uint64_t seed) {
 
 double total_target(const Foam& foam) {
   double total = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    total += foam.has_bubble(b) ? foam.target_area[Foam::size(b)] : 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    total += foam.has_bubble(b) ? foam.target_area[b] : 0;
   }
   return total;
 }
 
 void expect_positive_targets(const Foam& foam) {
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    EXPECT_TRUE(!foam.has_bubble(b) || foam.target_area[Foam::size(b)] > 0) << b;
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_TRUE(!foam.has_bubble(b) || foam.target_area[b] > 0) << b.index();
   }
 }
 
@@ -115,10 +116,9 @@ TEST(FrameCoarsening, TargetsFollowVonNeumann) { // (3.7.1)
   coarsening.restart(start);
   ASSERT_TRUE(coarsening.advance({}));
   const double per_side = 2 * std::numbers::pi / 3 * 0.25 / 30;
-  for (Index b = 0; b < start.bubble_capacity(); ++b) {
-    const auto i = Foam::size(b);
-    EXPECT_NEAR(coarsening.foam().target_area[i],
-                start.target_area[i] + per_side * (start.sides[i] - 6), 1e-14);
+  for (const Bubble b : start.bubble_slots()) {
+    EXPECT_NEAR(coarsening.foam().target_area[b],
+                start.target_area[b] + per_side * (start.sides[b] - 6), 1e-14);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(FrameCoarsening, OriginalAlgorithmEquilibratesAsItWalks) { // Figure 4.4
   const CoarseningOptions options = thesis_options();
   const Foam start = free_foam(25, 2);
   Foam walked = start;
-  for (Index j = 0; j < walked.junction_capacity(); ++j) {
+  for (const Junction j : walked.junction_slots()) {
     thesis::equilibrate_junction(walked, j, options.equilibrator.junction);
   }
   const Foam final = quiet_frame(start, TopologicalAlgorithm::Final);
@@ -166,10 +166,10 @@ TEST(FrameCoarsening, OriginalAlgorithmEquilibratesAsItWalks) { // Figure 4.4
 /// A honeycomb with a bubble that floats on a film, small enough to vanish.
 Foam with_floating_bubble() {
   Foam foam = honeycomb(6, 3);
-  while (foam.sides[8] > 2) {
-    perform_t1(foam, Foam::film_of(foam.bubble_half[8]));
+  while (foam.sides[Bubble(8)] > 2) {
+    perform_t1(foam, foam.bubble_half[Bubble(8)].film());
   }
-  foam.target_area[8] = 0.01;
+  foam.target_area[Bubble(8)] = 0.01;
   return foam;
 }
 
@@ -186,11 +186,11 @@ TEST(FrameCoarsening, TwoSidedBubblesAreRemovedOrSlide) {
     expect_valid(after);
     if (choice == TwoSidedBubbles::Remove) {
       EXPECT_EQ(after.t3_count, 1);
-      EXPECT_FALSE(after.has_bubble(8));
+      EXPECT_FALSE(after.has_bubble(Bubble(8)));
     } else { // became three-sided by a T1 in the corner that it slid to
       EXPECT_EQ(after.t3_count, 0);
       EXPECT_GT(after.t1_count, foam.t1_count);
-      EXPECT_TRUE(!after.has_bubble(8) || after.sides[8] == 3);
+      EXPECT_TRUE(!after.has_bubble(Bubble(8)) || after.sides[Bubble(8)] == 3);
     }
   }
 }
@@ -214,6 +214,13 @@ TEST(FrameCoarsening, ADoubleBubbleDoesNotEnd) {
   EXPECT_EQ(coarsening.foam().target_area, start.target_area);
   coarsening.restart(double_bubble(1));
   EXPECT_TRUE(coarsening.advance({}));
+}
+
+TEST(FrameCoarsening, RefusesFilmsOfTheirOwnTension) {
+  FrameCoarsening coarsening(thesis_options(), make_equilibrator(thesis_options().equilibrator));
+  Foam foam = free_foam(12, 1);
+  foam.film_tension.assign(foam.film_angle.size(), 0.6);
+  EXPECT_THROW(coarsening.restart(foam), FoamError);
 }
 
 TEST(FrameCoarsening, AbortLeavesTheFoamAsItWas) {

@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "construct/jittered_grid.h"
 #include "hand_made.h"
 #include "mesh/validate.h"
@@ -34,20 +38,20 @@ double total(const std::vector<double>& values) {
 void expect_foam_of(const Foam& foam, Index n, Boundary boundary) {
   expect_valid(foam);
   const bool torus = boundary == Boundary::Periodic;
-  EXPECT_EQ(foam.boundary, boundary);
+  EXPECT_EQ(foam.surroundings.boundary, boundary);
   EXPECT_EQ(foam.bubble_count(), n);
   EXPECT_EQ(foam.junction_count(), torus ? 2 * n : 2 * (n - 1));
   EXPECT_EQ(foam.film_count(), torus ? 3 * n : 3 * (n - 1));
-  for (Index b = 0; b < n; ++b) {
-    EXPECT_EQ(foam.bubble_id[Foam::size(b)], b);
-    EXPECT_GT(foam.area(b), 0) << "bubble " << b << " of " << n;
-    EXPECT_DOUBLE_EQ(foam.target_area[Foam::size(b)], foam.area(b));
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_EQ(foam.bubble_id[b], b.index());
+    EXPECT_GT(foam.area(b), 0) << "bubble " << b.index() << " of " << n;
+    EXPECT_DOUBLE_EQ(foam.target_area[b], foam.area(b));
   }
   EXPECT_TRUE(std::ranges::all_of(foam.pressure, [](double p) { return p == 0; }));
   EXPECT_TRUE(std::ranges::all_of(foam.film_angle, [](double a) { return a == 0; }));
   if (torus) {
-    const double box = foam.box.width() * foam.box.height();
-    EXPECT_NEAR(total(foam.target_area), box, 1e-12 * box);
+    const double cell = foam.surroundings.lattice.area();
+    EXPECT_NEAR(total(foam.target_area), cell, 1e-12 * cell);
   }
 }
 
@@ -56,7 +60,7 @@ bool same(const Foam& a, const Foam& b) {
   return a.position == b.position && a.junction_half == b.junction_half &&
          a.half_junction == b.half_junction && a.half_bubble == b.half_bubble &&
          a.bubble_half == b.bubble_half && a.sides == b.sides && a.film_wrap == b.film_wrap &&
-         a.target_area == b.target_area && a.box == b.box;
+         a.target_area == b.target_area && a.surroundings == b.surroundings;
 }
 
 std::string error_of(std::span<const Vec2> points, const BuildOptions& options) {
@@ -128,9 +132,7 @@ TEST_P(AnyBoundary, IsAFunctionOfThePoints) {
 TEST_P(AnyBoundary, FoamIsTheSameAsReadBackFromItsFilms) {
   for (const Index n : {3, 5, 200}) {
     const Foam foam = build_from_points(jittered_grid(n, 1, 1, 2), with(GetParam()));
-    Foam read = foam_of(film_set(foam));
-    read.box = foam.box;
-    EXPECT_TRUE(same(foam, read)) << n;
+    EXPECT_TRUE(same(foam, foam_of(film_set(foam)))) << n;
   }
 }
 
@@ -204,13 +206,13 @@ TEST_P(Outlined, ATriangleHasItsFinsAtTheirPlaces) {
             1);
 }
 
-TEST_P(Outlined, ASquareGridHasTheWorldOnFourSides) {
+TEST_P(Outlined, ASquareGridHasTheOutsideOnFourSides) {
   const Foam foam = build_from_points(jittered_grid(100, 1, 0, 1), with(GetParam()));
-  Index on_world = 0;
-  for (Index b = 0; b < 100; ++b) {
-    on_world += foam.bubble_on_world(b);
+  Index on_outside = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    on_outside += foam.bubble_on_outside(b);
   }
-  EXPECT_EQ(on_world, 36);
+  EXPECT_EQ(on_outside, 36);
 }
 
 TEST_P(Outlined, BubblesOnTheBoundaryAreNoLongerThanTheRest) {
@@ -242,16 +244,16 @@ TEST(FromPoints, FreeTargetAreasAreTakenAsGiven) {
 
 TEST(FromPoints, GivenTargetAreasMustFillTheTorus) {
   auto options = with(Boundary::Periodic);
-  options.periodic_box = Box{0, 2, 0, 2};
+  options.torus = Lattice::rectangle(0, 2, 0, 2);
   options.target_areas = TargetAreas::Array;
   options.target_area_array = {0.5, 0.5, 1, 2 + 1e-6};
   const auto points = jittered_grid(4, 1, 1, 1);
   const Foam foam = build_from_points(points, options);
   EXPECT_NEAR(total(foam.target_area), 4, 1e-15);
-  EXPECT_NEAR(foam.target_area[3] / foam.target_area[0], 2 * (2 + 1e-6), 1e-14);
+  EXPECT_NEAR(foam.target_area[Bubble(3)] / foam.target_area[Bubble(0)], 2 * (2 + 1e-6), 1e-14);
   options.target_area_array[3] = 2.25;
   EXPECT_EQ(error_of(points, options),
-            "the target areas add up to 4.25, but the area of the periodic bounds is 4");
+            "the target areas add up to 4.25, but the area of the torus is 4");
 }
 
 TEST(FromPoints, GivenTargetAreasMustFillTheContainer) {
@@ -268,12 +270,12 @@ TEST(FromPoints, GivenTargetAreasMustFillTheContainer) {
             0u);
 }
 
-TEST(FromPoints, DefaultBoxOfASquareGridIsItsPeriod) {
+TEST(FromPoints, DefaultTorusOfASquareGridIsItsPeriod) {
   const Foam foam = build_from_points(jittered_grid(49, 0.5, 0, 1), with(Boundary::Periodic));
-  EXPECT_NEAR(foam.box.xmin, 0, 1e-14);
-  EXPECT_NEAR(foam.box.xmax, 3.5, 1e-14);
-  EXPECT_NEAR(foam.box.ymin, 0, 1e-14);
-  EXPECT_NEAR(foam.box.ymax, 3.5, 1e-14);
+  const auto& [origin, first, second] = foam.surroundings.lattice;
+  EXPECT_NEAR(norm(origin), 0, 1e-14);
+  EXPECT_NEAR(norm(first - Vec2{3.5, 0}), 0, 1e-14);
+  EXPECT_NEAR(norm(second - Vec2{0, 3.5}), 0, 1e-14);
   for (const Index n : foam.sides) {
     EXPECT_EQ(n, 6);
   }
@@ -282,12 +284,12 @@ TEST(FromPoints, DefaultBoxOfASquareGridIsItsPeriod) {
 TEST(FromPoints, AHexagonalLatticeIsAHoneycomb) {
   const Foam foam = honeycomb(8, 5);
   expect_foam_of(foam, 80, Boundary::Periodic);
-  for (Index b = 0; b < 80; ++b) {
-    EXPECT_EQ(foam.sides[Foam::size(b)], 6);
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_EQ(foam.sides[b], 6);
     EXPECT_NEAR(foam.area(b), std::sqrt(0.75), 1e-13);
   }
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    EXPECT_NEAR(foam.length(2 * f), 1 / std::sqrt(3.0), 1e-13);
+  for (const Film f : foam.film_slots()) {
+    EXPECT_NEAR(foam.length(f.half()), 1 / std::sqrt(3.0), 1e-13);
   }
 }
 
@@ -301,7 +303,7 @@ TEST(FromPoints, TorusMayHaveAnyAspect) {
   const auto points = jittered_grid(100, 1, 1, 1);
   for (const double stretch : {0.01, 0.3, 7.0, 1000.0}) {
     auto options = with(Boundary::Periodic);
-    options.periodic_box = Box{0, 10 * stretch, 0, 10};
+    options.torus = Lattice::rectangle(0, 10 * stretch, 0, 10);
     std::vector<Vec2> stretched;
     for (const Vec2 p : points) {
       stretched.push_back({stretch * p.x, p.y});
@@ -314,7 +316,7 @@ TEST(FromPoints, TorusMayHaveAnyAspect) {
 
 TEST(FromPoints, TorusIsTheSameWhereverItsPointsAreSeen) {
   auto options = with(Boundary::Periodic);
-  options.periodic_box = Box{-1, 3, 2, 4};
+  options.torus = Lattice::rectangle(-1, 3, 2, 4);
   std::vector<Vec2> points;
   for (const Vec2 p : jittered_grid(64, 0.5, 1, 3)) {
     points.push_back({p.x - 1, 0.5 * p.y + 2});
@@ -326,33 +328,152 @@ TEST(FromPoints, TorusIsTheSameWhereverItsPointsAreSeen) {
   const Foam wrapped = build_from_points(points, options);
   EXPECT_EQ(wrapped.junction_half, foam.junction_half);
   EXPECT_EQ(wrapped.film_wrap, foam.film_wrap);
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
-    EXPECT_NEAR(norm(wrapped.position[Foam::size(j)] - foam.position[Foam::size(j)]), 0, 1e-13);
-    EXPECT_GE(foam.position[Foam::size(j)].x, -1);
-    EXPECT_LE(foam.position[Foam::size(j)].x, 3);
-    EXPECT_GE(foam.position[Foam::size(j)].y, 2);
-    EXPECT_LE(foam.position[Foam::size(j)].y, 4);
+  for (const Junction j : foam.junction_slots()) {
+    EXPECT_NEAR(norm(wrapped.position[j] - foam.position[j]), 0, 1e-13);
+    EXPECT_GE(foam.position[j].x, -1);
+    EXPECT_LE(foam.position[j].x, 3);
+    EXPECT_GE(foam.position[j].y, 2);
+    EXPECT_LE(foam.position[j].y, 4);
   }
 }
 
-TEST(FromPoints, RefusesABoxWithoutArea) {
+TEST(FromPoints, RefusesPeriodsThatMakeNoTorus) {
   const auto points = jittered_grid(4, 1, 1, 1);
+  const auto error_with = [&](const Lattice& torus) {
+    auto options = with(Boundary::Periodic);
+    options.torus = torus;
+    return error_of(points, options);
+  };
+  EXPECT_EQ(error_with(Lattice::rectangle(0, 2, 1, 1)),
+            "the periods (2, 0) and (0, 0) at (0, 1) enclose no area");
+  EXPECT_EQ(error_with(Lattice::rectangle(0, kNan, 0, 1)),
+            "the periods (nan, 0) and (0, 1) at (0, 0) enclose no area");
+  EXPECT_EQ(error_with(Lattice::rectangle(0, kInfinity, 0, 1)),
+            "the periods (inf, 0) and (0, 1) at (0, 0) enclose no area");
+  EXPECT_EQ(error_with({{kNan, 0}, {1, 0}, {0, 1}}),
+            "the periods (1, 0) and (0, 1) at (nan, 0) enclose no area");
+  EXPECT_EQ(error_with({{}, {2, 1}, {4, 2}}),
+            "the periods (2, 1) and (4, 2) at (0, 0) enclose no area");
+  EXPECT_EQ(error_with({{}, {1, 2}, {2, 1}}), "the periods (1, 2) and (2, 1) are clockwise");
+  EXPECT_EQ(error_with(Lattice::rectangle(0, 2e6, 0, 1)),
+            "the periods (2e+06, 0) and (0, 1) enclose a cell 2e+06 times longer than wide");
+  EXPECT_EQ(error_with({{}, {1, 0}, {2048, 1}}),
+            "the periods (1, 0) and (2048, 1) enclose a cell 4194305 times longer than wide");
+}
+
+TEST(FromPoints, RefusesAPointThatIsTooFarAway) {
   auto options = with(Boundary::Periodic);
-  options.periodic_box = Box{0, 2, 1, 1};
-  EXPECT_EQ(error_of(points, options), "the periodic bounds enclose no area: 0 2 1 1");
-  options.periodic_box = Box{2, 0, 0, 1};
-  EXPECT_EQ(error_of(points, options), "the periodic bounds enclose no area: 2 0 0 1");
-  options.periodic_box = Box{0, kNan, 0, 1};
-  EXPECT_EQ(error_of(points, options), "the periodic bounds enclose no area: 0 nan 0 1");
-  options.periodic_box = Box{0, kInfinity, 0, 1};
-  EXPECT_EQ(error_of(points, options), "the periodic bounds enclose no area: 0 inf 0 1");
-  options.periodic_box = Box{0, 2e6, 0, 1};
-  EXPECT_EQ(error_of(points, options), "the periodic bounds are 2e+06 times longer than wide");
+  options.torus = Lattice::rectangle(0, 2, 0, 2);
+  const std::vector<Vec2> points{{0.5, 0}, {1, 1}, {1.5, 1}, {0.5, 1e11}};
+  EXPECT_EQ(error_of(points, options),
+            "point 3 at (0.5, 1e+11) lies too many periods from the torus's cell");
+}
+
+// Tori of any two periods.
+
+/// Of each bubble the bubbles beside it, in ascending order.
+std::vector<std::vector<Index>> neighbours(const Foam& foam) {
+  std::vector<std::vector<Index>> result;
+  for (const Bubble b : foam.bubble_slots()) {
+    auto& beside = result.emplace_back();
+    for_each_half(foam, b, [&](Half h) { beside.push_back(foam.right(h).index()); });
+    std::ranges::sort(beside);
+  }
+  return result;
+}
+
+/// Points at random in the cell of a torus.
+std::vector<Vec2> random_points(const Lattice& torus, Index n) {
+  Random random(7);
+  std::vector<Vec2> points;
+  for (Index i = 0; i < n; ++i) {
+    const double along_first = random.uniform();
+    points.push_back(torus.origin + along_first * torus.first + random.uniform() * torus.second);
+  }
+  return points;
+}
+
+Foam on_torus(std::span<const Vec2> points, const Lattice& torus) {
+  auto options = with(Boundary::Periodic);
+  options.torus = torus;
+  return build_from_points(points, options);
+}
+
+class AnyTorus : public testing::TestWithParam<Lattice> {};
+INSTANTIATE_TEST_SUITE_P(
+    Lattices, AnyTorus,
+    testing::Values(Lattice{{0, 0}, {10, 0}, {0, 10}}, Lattice{{0, 0}, {10, 0}, {3, 10}},
+                    Lattice{{-2, 1}, {10, 2}, {-4, 9}}, Lattice{{1, 1}, {7, 7}, {-6, 8}},
+                    Lattice{{0, 0}, {0, -10}, {10, 0}}, Lattice{{0, 0}, {10, 0}, {37, 10}},
+                    Lattice{{5, -3}, {10, 1}, {-93, -1}}, Lattice{{0, 0}, {300, 1}, {0.3, 0.2}}));
+
+TEST_P(AnyTorus, IsFilledByItsBubbles) {
+  for (const Index n : {3, 4, 7, 30, 500}) {
+    SCOPED_TRACE(n);
+    const Foam foam = on_torus(random_points(GetParam(), n), GetParam());
+    expect_foam_of(foam, n, Boundary::Periodic);
+    EXPECT_EQ(foam.surroundings.lattice, GetParam());
+    EXPECT_TRUE(validate_geometry(foam).empty());
+  }
+}
+
+TEST_P(AnyTorus, HasTheSameNeighboursInAnyBasis) {
+  const auto& [origin, first, second] = GetParam();
+  const std::vector<Lattice> others{{origin, first, second + 3 * first},
+                                    {origin, first - 2 * second, second},
+                                    {origin, second, -first},
+                                    {origin + Vec2{0.3, -1.7}, first + second, second}};
+  for (const Index n : {3, 7, 30, 500}) {
+    const auto points = random_points(GetParam(), n);
+    const auto expected = neighbours(on_torus(points, GetParam()));
+    for (const Lattice& other : others) {
+      EXPECT_EQ(neighbours(on_torus(points, other)), expected) << n;
+    }
+  }
+}
+
+TEST_P(AnyTorus, HasTheSameNeighboursWhereverItsPointsAreSeen) {
+  const Lattice& torus = GetParam();
+  auto points = random_points(torus, 100);
+  const auto expected = neighbours(on_torus(points, torus));
+  for (std::int32_t i = 0; i < 100; i += 3) {
+    points[place_of(i)] += torus.period({i % 5, -(i % 7)});
+  }
+  EXPECT_EQ(neighbours(on_torus(points, torus)), expected);
+}
+
+TEST(FromPoints, AHexagonalLatticeIsAHoneycombInARhombus) {
+  const Vec2 a{1, 0};
+  const Vec2 b{0.5, std::sqrt(0.75)};
+  std::vector<Vec2> points;
+  for (int i = 0; i < 36; ++i) {
+    points.push_back((i % 6 + 0.25) * a + (i / 6 + 0.25) * b);
+  }
+  for (const Lattice& torus : {Lattice{{}, 6 * a, 6 * b}, Lattice{{}, 6 * a, 6 * b - 12 * a}}) {
+    const Foam foam = on_torus(points, torus);
+    expect_foam_of(foam, 36, Boundary::Periodic);
+    for (const Bubble bubble : foam.bubble_slots()) {
+      EXPECT_EQ(foam.sides[bubble], 6);
+      EXPECT_NEAR(foam.area(bubble), std::sqrt(0.75), 1e-13);
+    }
+  }
+}
+
+/// Every four neighbours lie on a circle.
+TEST(FromPoints, ASquareGridFitsASkewedTorus) {
+  for (const Lattice& torus : {Lattice{{}, {4, 1}, {-1, 4}}, Lattice{{}, {4, 1}, {11, 7}}}) {
+    std::vector<Vec2> points; // (17, 0) is a sum of periods, and nothing before it on the axis
+    for (int i = 0; i < 17; ++i) {
+      const Vec2 p{i + 0.5, 0.5};
+      points.push_back(p - torus.period(torus.cell_of(p)));
+    }
+    expect_foam_of(on_torus(points, torus), 17, Boundary::Periodic);
+  }
 }
 
 TEST(FromPoints, RefusesPointsThatAreTheSameOnTheTorus) {
   auto options = with(Boundary::Periodic);
-  options.periodic_box = Box{0, 2, 0, 2};
+  options.torus = Lattice::rectangle(0, 2, 0, 2);
   const std::vector<Vec2> points{{0.5, 0}, {1, 1}, {1.5, 1}, {0.5, 2}};
   EXPECT_EQ(error_of(points, options),
             "points 0 at (0.5, 0) and 3 at (0.5, 2) are the same point of the torus");

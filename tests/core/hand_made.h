@@ -44,8 +44,8 @@ inline Foam foam_of_polygons(const std::vector<Vec2>& junctions,
     }
   }
   Foam foam = foam_of(set);
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    foam.target_area[Foam::size(b)] = foam.area(b);
+  for (const Bubble b : foam.bubble_slots()) {
+    foam.target_area[b] = foam.area(b);
   }
   return foam;
 }
@@ -65,8 +65,8 @@ inline std::vector<Vec2> honeycomb_points(Index columns, Index pairs) {
 inline Foam honeycomb(Index columns, Index pairs) {
   BuildOptions options;
   options.boundary = Boundary::Periodic;
-  options.periodic_box =
-      Box{0, static_cast<double>(columns), 0, 2 * static_cast<double>(pairs) * std::sqrt(0.75)};
+  options.torus = Lattice::rectangle(0, static_cast<double>(columns), 0,
+                                     2 * static_cast<double>(pairs) * std::sqrt(0.75));
   return build_from_points(honeycomb_points(columns, pairs), options);
 }
 

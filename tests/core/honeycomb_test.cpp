@@ -16,8 +16,8 @@ TEST(Honeycomb, IsInEquilibrium) {
   test::expect_valid(foam);
   EXPECT_EQ(foam.bubble_count(), 24);
   EXPECT_LT(max_angle_error(foam), 1e-12);
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    EXPECT_EQ(foam.sides[Foam::size(b)], 6);
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_EQ(foam.sides[b], 6);
     EXPECT_NEAR(foam.area(b), 1, 1e-12);
   }
 }
@@ -29,7 +29,7 @@ TEST(Honeycomb, IsDisorderedOnDemand) {
   for (const double area : foam.target_area) {
     total += area;
   }
-  EXPECT_NEAR(total, foam.box.width() * foam.box.height(), 1e-9);
+  EXPECT_NEAR(total, foam.surroundings.lattice.area(), 1e-9);
   EXPECT_EQ(std::ranges::min(foam.sides), 5);
   EXPECT_EQ(std::ranges::max(foam.sides), 7);
   EXPECT_GT(std::ranges::count(foam.sides, 5), 100);

@@ -25,9 +25,10 @@ inline void disturb(Foam& foam, double size, unsigned seed) {
 
 /// The half-angles that go with the pressures, by the law of sines: the chord 2|r|·sin α.
 inline void set_half_angles(Foam& foam) {
-  for (Index h = 0; h < 2 * foam.film_capacity(); h += 2) {
-    const double q = foam.pressure_of(foam.left(h)) - foam.pressure_of(foam.right(h));
-    foam.set_half_angle(h, std::asin(q * norm(foam.chord(h)) / (4 * foam.surface_tension)));
+  for (const Film f : foam.film_slots()) {
+    const Half h = f.half();
+    const double q = foam.pressure_difference(h);
+    foam.set_half_angle(h, std::asin(q * norm(foam.chord(h)) / (2 * foam.tension(f))));
   }
 }
 
@@ -40,7 +41,7 @@ inline Foam triple() {
 
 /// Whether no junction is inverted (thesis 3.5.1).
 inline bool all_oriented(const Foam& foam) {
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j) && !thesis::oriented(thesis::junction_star(foam, j))) {
       return false;
     }

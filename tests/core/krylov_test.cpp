@@ -7,9 +7,9 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include "../newton_on_host.h"
 #include "construct/honeycomb.h"
 #include "equilibrium/compressed_matrix.h"
-#include "equilibrium/krylov_equilibrator.h"
 #include "equilibrium/newton_equilibrator.h"
 #include "foams.h"
 
@@ -25,50 +25,33 @@ Foam disordered(Index side, double displacement = 0.1, double swaps = 0.1) {
 /// The equations of a foam, on the host.
 class Equations {
 public:
-  explicit Equations(Foam& foam, double stiffening = 0)
-      : mesh_(view_of(foam)), units_{foam.mean_spacing(), 2 * foam.surface_tension},
-        stiffness_(foam.film_angle.size()), gradient_(foam.film_angle.size()) {
-    host_.for_each(mesh_.films,
-                   Linearise{mesh_, units_, stiffening, stiffness_.data(), gradient_.data()});
-    preconditioner_.set_up(matrix(), units_);
-  }
+  explicit Equations(Foam& foam) : system_(host_, view_of(foam), foam.mean_spacing()) {}
 
-  Index size() const { return size_of(mesh_); }
-  const Units& units() const { return units_; }
-  WholeFoamMatrix matrix() const { return {mesh_, stiffness_.data()}; }
+  Index size() const { return system_.size(); }
+  const Units& units() const { return system_.units(); }
+  bool is_unknown(Index i) const { return system_.is_unknown(i); }
+  test::NewtonSystem<Host>& system() { return system_; }
 
   Eigen::VectorXd right() {
     Eigen::VectorXd vector = Eigen::VectorXd::Zero(size());
-    host_.for_each(mesh_.junctions + mesh_.bubbles,
-                   RightHandSide{mesh_, units_, gradient_.data(), vector.data()});
+    system_.load(vector.data());
     return vector;
   }
   Eigen::VectorXd product(const Eigen::VectorXd& x) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(size());
-    host_.for_each(mesh_.junctions + mesh_.bubbles, Multiply{matrix(), x.data(), y.data()});
+    system_.multiply(x.data(), y.data());
     return y;
   }
   Eigen::VectorXd preconditioned(const Eigen::VectorXd& x) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(size());
-    preconditioner_.apply(x.data(), y.data());
+    system_.precondition(x.data(), y.data());
     return y;
   }
   int solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) {
     x.resize(size());
-    return MinimalResidual<Host>(host_).solve(
-        size(), b.data(), x.data(), tolerance, 500,
-        [&](const double* from, double* to) {
-          host_.for_each(mesh_.junctions + mesh_.bubbles, Multiply{matrix(), from, to});
-        },
-        [&](const double* from, double* to) { preconditioner_.apply(from, to); });
+    return system_.solve(b.data(), x.data(), tolerance);
   }
-
-  /// Whether an entry of a vector stands for a junction that moves or a bubble that is there.
-  bool is_unknown(Index i) const {
-    return i < 2 * mesh_.junctions ? moves(mesh_, i / 2)
-                                   : mesh_.has_bubble(i - 2 * mesh_.junctions);
-  }
-
+  /// The matrix of a linear function, of the unknowns' columns.
   template <class Map> Eigen::MatrixXd matrix_of(const Map& map) const {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size(), size());
     for (Index i = 0; i < size(); ++i) {
@@ -81,11 +64,7 @@ public:
 
 private:
   Host host_{1};
-  FoamView mesh_;
-  Units units_;
-  std::vector<FilmStiffness> stiffness_;
-  std::vector<FilmGradient> gradient_;
-  FoamPreconditioner<Host> preconditioner_{host_};
+  test::NewtonSystem<Host> system_;
 };
 
 Foam sample(Boundary boundary) {
@@ -93,12 +72,12 @@ Foam sample(Boundary boundary) {
   if (boundary == Boundary::Periodic) {
     test::equilibrate(foam);
   }
-  for (std::size_t b = 0; b < foam.pressure.size(); ++b) { // off equilibrium, arcs and all
-    foam.pressure[b] += 0.01 * static_cast<double>(b % 3);
+  for (const Bubble b : foam.bubble_slots()) { // off equilibrium, arcs and all
+    foam.pressure[b] += 0.01 * (b.index() % 3);
   }
-  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
-    if (!foam.wall(static_cast<Index>(2 * f))) {
-      foam.film_angle[f] += 0.02 * (static_cast<double>(f % 5) - 2);
+  for (const Film f : foam.film_slots()) {
+    if (!foam.wall(f.half())) {
+      foam.film_angle[f] += 0.02 * (f.index() % 5 - 2);
     }
   }
   return foam;
@@ -113,7 +92,7 @@ TEST_P(KrylovBoundaries, MatrixIsTheGradientsDerivative) {
   Equations equations(foam);
   const Eigen::VectorXd before = equations.right();
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(equations.size());
-  const FoamView mesh = view_of(foam);
+  const ConstFoamView mesh = view_of(std::as_const(foam));
   for (Index i = 0; i < equations.size(); ++i) {
     direction[i] = equations.is_unknown(i) ? std::sin(1.0 + i) : 0;
   }
@@ -125,30 +104,32 @@ TEST_P(KrylovBoundaries, MatrixIsTheGradientsDerivative) {
     const Eigen::VectorXd change = epsilon * direction;
     // The elimination's own part of a half-angle's change, which is there without a step.
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(equations.size());
-    for (Index f = 0; f < mesh.films; ++f) {
-      if (bends(mesh, f)) {
+    for (const Film f : mesh.film_slots()) {
+      if (mesh.bends(f)) {
         view.film_angle[f] += angle_change(mesh, f, units, 0, change.data()) -
                               angle_change(mesh, f, units, 0, none.data());
       }
     }
-    for (Index j = 0; j < mesh.junctions; ++j) {
+    for (const Junction j : mesh.junction_slots()) {
       view.position[j] += units.length * displacement(change.data(), j);
     }
-    for (Index b = 0; b < mesh.bubbles; ++b) {
+    for (const Bubble b : mesh.bubble_slots()) {
       view.pressure[b] += units.pressure() * pressure_in(mesh, change.data(), b);
     }
     // The gradient itself: the eliminated angles' residuals left out.
-    std::vector<FilmGradient> gradient(moved.film_angle.size());
-    for (Index f = 0; f < mesh.films; ++f) {
-      if (bends(mesh, f)) {
-        const FilmLagrangian phi = film_derivatives(view, f, units, 0);
-        gradient[Foam::size(f)] = {
-            {phi.gradient[0], phi.gradient[1]}, {phi.gradient[2], phi.gradient[3]}, 0};
+    Field<Film, FilmGradient> gradient(moved.film_angle.size());
+    for (const Film f : mesh.film_slots()) {
+      if (mesh.bends(f)) {
+        const FilmLagrangian phi = film_derivatives(const_view(view), f, units, 0);
+        gradient[f] = {{phi.gradient[0], phi.gradient[1]}, {phi.gradient[2], phi.gradient[3]}, 0};
       }
     }
+    Host host(1);
+    Evaluation<Host> state;
+    state.evaluate(host, const_view(view), whole_mesh(const_view(view), units.length));
     Eigen::VectorXd right = Eigen::VectorXd::Zero(equations.size());
-    Host(1).for_each(mesh.junctions + mesh.bubbles,
-                     RightHandSide{view, units, gradient.data(), right.data()});
+    gather_load(host, const_view(view), units, state.areas(),
+                FieldView<Film, const FilmGradient>(gradient.data()), right.data());
     return right;
   };
   constexpr double kStep = 1e-5;
@@ -183,29 +164,32 @@ TEST_P(KrylovBoundaries, PreconditionerIsSymmetricAndPositive) {
   EXPECT_EQ(positive, unknowns);
 }
 
-/// The step is that of NewtonEquilibrator's matrix and factorisation.
+/// The step is that of a matrix that is factorised.
 TEST_P(KrylovBoundaries, StepIsThatOfAFactorisation) {
   Foam foam = sample(GetParam());
   Equations equations(foam);
   Eigen::VectorXd right = equations.right();
-  if (GetParam() != Boundary::Free) {
-    right.tail(foam.bubble_capacity()).array() -= right.tail(foam.bubble_capacity()).mean();
-  }
+  equations.system().remove_common_pressure(right.data());
   Eigen::VectorXd solution;
   equations.solve(right, solution, 1e-12);
-  LagrangianSystem system;
-  system.set_up(foam, whole_foam(foam));
-  system.evaluate(foam);
-  ASSERT_TRUE(system.factorise(foam, foam.bubble_capacity()));
-  const Step& step = system.newton_step(foam);
+  Host host;
+  FactorisingSolver solver;
+  solver.set_up(foam, whole_foam(foam));
+  const Domain domain = domain_of(solver.region());
+  Evaluation<Host> state;
+  state.evaluate(host, view_of(std::as_const(foam)), domain);
+  // Of the matrix as it is, wherever it leads: for a residual that is small.
+  const StepView* const step = solver.find(foam, domain, state, Residual{});
+  ASSERT_NE(step, nullptr);
   // Moves that cost nothing are of no account: compare how films grow.
   double largest = 0;
   double difference = 0;
-  for (const Index f : system.region().films) {
-    const Vec2 there = system.chord_change(foam, f, step);
-    const Vec2 here = equations.units().length * (displacement(solution.data(), foam.end(2 * f)) -
-                                                  displacement(solution.data(), foam.start(2 * f)));
-    const Vec2 along = (1 / norm(foam.chord(2 * f))) * foam.chord(2 * f);
+  for (const Film f : solver.region().films) {
+    const Half h = f.half();
+    const Vec2 there = step->chord_change(view_of(std::as_const(foam)), f);
+    const Vec2 here = equations.units().length * (displacement(solution.data(), foam.end(h)) -
+                                                  displacement(solution.data(), foam.start(h)));
+    const Vec2 along = (1 / norm(foam.chord(h))) * foam.chord(h);
     largest = std::max(largest, std::abs(dot(there, along)));
     difference = std::max(difference, std::abs(dot(here - there, along)));
   }
@@ -216,22 +200,19 @@ TEST_P(KrylovBoundaries, StepIsThatOfAFactorisation) {
 TEST_P(KrylovBoundaries, StepIsThatOfTheCompressedMatrix) {
   Foam foam = sample(GetParam());
   Equations equations(foam);
-  Host host;
-  const FoamView mesh = view_of(foam);
   Eigen::VectorXd right = equations.right();
-  if (GetParam() != Boundary::Free) {
-    level_pressures(host, mesh, right.data());
-  }
+  equations.system().remove_common_pressure(right.data());
   Eigen::VectorXd iterative;
   equations.solve(right, iterative, 1e-12);
-  CompressedMatrix<Host> compressed(host);
-  const LowerTriangle m = compressed.assemble(equations.matrix());
+  const LowerTriangle m = equations.system().assemble();
   const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> lower(
       m.size, m.size, m.entries, m.first, m.column, m.value);
   const Eigen::MatrixXd all = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
   Eigen::VectorXd direct = all.partialPivLu().solve(right);
-  remove_gauges(host, mesh, iterative.data());
-  remove_gauges(host, mesh, direct.data());
+  for (Eigen::VectorXd* solution : {&iterative, &direct}) {
+    equations.system().remove_common_pressure(solution->data());
+    equations.system().remove_rigid_motion(solution->data());
+  }
   EXPECT_GT(direct.norm(), 1e-2);
   EXPECT_LT((direct - iterative).norm(), 1e-5 * direct.norm());
 }
@@ -241,35 +222,34 @@ INSTANTIATE_TEST_SUITE_P(Krylov, KrylovBoundaries,
 
 /// Coarsened elements have the energy of what the coarse grid's displacements are on the fine one.
 TEST(Krylov, CoarsenedElementsAreThoseOfTheNestedSpace) {
-  const Grid fine{8, 4, true, {}, {0.5, 1}};
-  std::vector<Element> elements(Foam::size(fine.cells()));
+  const Grid fine{8, 4, true, {}, {0.5, 0}, {0.2, 1}};
+  std::vector<Element> elements(place_of(fine.cells()));
   for (Index cell = 0; cell < fine.cells(); ++cell) {
     for (int corner = 0; corner < 4; ++corner) {
       ElementRows rows;
-      rows.add_square({cell, {0.3, 0.6}}, fine.cell, corner, {1, 0.2}, {-0.4, 0.7}, 1.0 + cell);
-      rows.write(elements[Foam::size(cell)], corner);
+      rows.add_square({cell, {0.3, 0.6}}, fine, corner, {1, 0.2}, {-0.4, 0.7}, 1.0 + cell);
+      rows.write(elements[place_of(cell)], corner);
     }
   }
   const Grid coarse = fine.coarsened();
-  std::vector<Element> coarsened(Foam::size(coarse.cells()));
+  std::vector<Element> coarsened(place_of(coarse.cells()));
   Host host;
-  host.for_each(CoarsenElement::size(coarse),
-                CoarsenElement{fine, coarse, elements.data(), coarsened.data()});
+  coarsen_elements(host, fine, coarse, elements.data(), coarsened.data());
   const auto n = static_cast<std::size_t>(2 * fine.nodes());
   const auto m = static_cast<std::size_t>(2 * coarse.nodes());
   for (std::size_t i = 0; i < m; ++i) {
     std::vector<double> x(m), up(n), product(n), down(m);
     x[i] = 1;
-    host.for_each(fine.nodes(), ProlongateGrid{fine, coarse, x.data(), up.data()});
+    prolongate(host, fine, coarse, x.data(), up.data());
     for (Index node = 0; node < fine.nodes(); ++node) {
       set_displacement(product.data(), node,
                        GridMatrix{fine, elements.data()}.row(up.data(), node));
     }
-    host.for_each(coarse.nodes(), RestrictGrid{fine, coarse, product.data(), down.data()});
+    restrict_to(host, coarse, fine, product.data(), down.data());
     for (Index node = 0; node < coarse.nodes(); ++node) {
       const Vec2 row = GridMatrix{coarse, coarsened.data()}.row(x.data(), node);
-      EXPECT_NEAR(row.x, down[Foam::size(2 * node)], 1e-12);
-      EXPECT_NEAR(row.y, down[Foam::size(2 * node + 1)], 1e-12);
+      EXPECT_NEAR(row.x, down[place_of(2 * node)], 1e-12);
+      EXPECT_NEAR(row.y, down[place_of(2 * node + 1)], 1e-12);
     }
   }
 }
@@ -278,11 +258,12 @@ TEST(Krylov, CoarsenedElementsAreThoseOfTheNestedSpace) {
 TEST(Krylov, IterationsDoNotGrowWithTheFoam) {
   const auto iterations = [](Index side) {
     Foam foam = disordered(side, 0.15, 0.2);
-    EXPECT_TRUE(KrylovEquilibrator({}).equilibrate(foam, 0.05, {}).converged);
+    EXPECT_TRUE(
+        test::KrylovEquilibrator(EquilibratorOptions{}).equilibrate(foam, 0.05, {}).converged);
     Equations equations(foam);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(equations.size());
-    for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-      right[2 * foam.junction_capacity() + b] = foam.sides[Foam::size(b)] - 6;
+    for (const Bubble b : foam.bubble_slots()) {
+      right[2 * foam.junction_slots().size() + b.index()] = foam.sides[b] - 6;
     }
     Eigen::VectorXd solution;
     const int count = equations.solve(right, solution, 1e-6);
@@ -303,9 +284,9 @@ EquilibratorOptions to(double tolerance) {
 
 void expect_same_equilibrium(const Foam& a, const Foam& b) {
   ASSERT_EQ(a.half_junction, b.half_junction);
-  for (Index f = 0; f < a.film_capacity(); ++f) {
+  for (const Film f : a.film_slots()) {
     if (a.has_film(f)) {
-      EXPECT_NEAR(a.length(2 * f), b.length(2 * f), 1e-8 * a.mean_spacing());
+      EXPECT_NEAR(a.length(f.half()), b.length(f.half()), 1e-8 * a.mean_spacing());
     }
   }
 }
@@ -314,26 +295,31 @@ TEST(Krylov, FindsTheEquilibriumOfThePeriodicFoam) {
   Foam here = disordered(12, 0.1, 0.1);
   Foam there = here;
   const double t1_length = 0.01;
-  EXPECT_TRUE(KrylovEquilibrator(to(1e-11)).equilibrate(here, t1_length, {}).converged);
+  EXPECT_TRUE(test::KrylovEquilibrator(to(1e-11)).equilibrate(here, t1_length, {}).converged);
   EXPECT_TRUE(NewtonEquilibrator(to(1e-11)).equilibrate(there, t1_length, {}).converged);
   test::expect_equilibrium(here);
   test::expect_valid(here);
   expect_same_equilibrium(here, there);
 }
 
+/// Every other bubble gets a tenth of what the smaller of it and the next one has.
+void exchange_gas(Foam& foam) {
+  for (Index i = 0; i + 1 < foam.bubble_slots().size(); i += 2) {
+    double& first = foam.target_area[Bubble(i)];
+    double& second = foam.target_area[Bubble(i + 1)];
+    const double gas = 0.1 * std::min(first, second);
+    first += gas;
+    second -= gas;
+  }
+}
+
 /// A foam in equilibrium whose bubbles' targets change by a tenth, with every boundary.
 TEST(Krylov, FollowsTheGas) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
     Foam here = test::random_foam(60, boundary, 3);
-    const double total = here.target_area[0] + here.target_area[1];
-    for (std::size_t b = 0; b + 1 < here.target_area.size(); b += 2) {
-      const double gas = 0.1 * std::min(here.target_area[b], here.target_area[b + 1]);
-      here.target_area[b] += gas;
-      here.target_area[b + 1] -= gas;
-    }
-    EXPECT_NEAR(here.target_area[0] + here.target_area[1], total, 1e-12);
+    exchange_gas(here);
     Foam there = here;
-    EXPECT_TRUE(KrylovEquilibrator(to(1e-11)).equilibrate(here, 0, {}).converged)
+    EXPECT_TRUE(test::KrylovEquilibrator(to(1e-11)).equilibrate(here, 0, {}).converged)
         << static_cast<int>(boundary) << " " << here.report.residual;
     EXPECT_TRUE(NewtonEquilibrator(to(1e-11)).equilibrate(there, 0, {}).converged);
     test::expect_equilibrium(here);
@@ -349,7 +335,7 @@ TEST(Krylov, FindsTheTripleBubble) {
   options.target_areas = TargetAreas::Array;
   options.target_area_array = {1, 1, 1};
   Foam foam = build_from_points(std::vector<Vec2>{{0, 0}, {1, 0}, {0.5, 0.8}}, options);
-  KrylovEquilibrator(to(1e-10)).equilibrate(foam, 0, {});
+  test::KrylovEquilibrator(to(1e-10)).equilibrate(foam, 0, {});
   test::expect_equilibrium(foam);
   EXPECT_NEAR(foam.energy(), 8.793934128446, 1e-9);
 }
@@ -357,7 +343,7 @@ TEST(Krylov, FindsTheTripleBubble) {
 /// Films that are short and pulled shut are swapped on the way.
 TEST(Krylov, SwapsFilmsThatArePulledShut) {
   Foam foam = disordered(16, 0.15, 0.5);
-  KrylovEquilibrator({}).equilibrate(foam, 0.4, {});
+  test::KrylovEquilibrator(EquilibratorOptions{}).equilibrate(foam, 0.4, {});
   EXPECT_GT(foam.t1_count, 0);
   test::expect_equilibrium(foam);
   test::expect_valid(foam);
@@ -367,7 +353,8 @@ TEST(Krylov, GivesTheSameBitsForAnyNumberOfThreads) {
   std::vector<Foam> foams;
   for (const int threads : {1, 2, 5}) {
     foams.push_back(disordered(12, 0.15, 0.5));
-    KrylovEquilibrator({}, threads, 64).equilibrate(foams.back(), 0.4, {});
+    test::KrylovEquilibrator(EquilibratorOptions{}, Host(threads, 64))
+        .equilibrate(foams.back(), 0.4, {});
     EXPECT_TRUE(foams.back().report.converged);
     EXPECT_EQ(foams.back().position, foams.front().position);
     EXPECT_EQ(foams.back().pressure, foams.front().pressure);
@@ -380,7 +367,9 @@ TEST(Krylov, LeavesTheFoamAsItWasWhenItIsAborted) {
   const Foam start = disordered(8);
   Foam foam = start;
   int calls = 0;
-  EXPECT_THROW(KrylovEquilibrator({}).equilibrate(foam, 0.1, [&] { return ++calls > 2; }), Aborted);
+  EXPECT_THROW(test::KrylovEquilibrator(EquilibratorOptions{})
+                   .equilibrate(foam, 0.1, [&] { return ++calls > 2; }),
+               Aborted);
   EXPECT_EQ(foam.position, start.position);
   EXPECT_EQ(foam.pressure, start.pressure);
   EXPECT_EQ(foam.topology, start.topology);

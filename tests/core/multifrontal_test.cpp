@@ -26,19 +26,16 @@ struct System {
     const std::vector<double> diagonal = matrix.diagonal();
     dense = Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
     for (const FilmShare& share : matrix.shares()) {
-      const double* value = share.value.data();
-      for (std::size_t row = 0; row < 7; ++row) {
-        for (std::size_t column = 0; column <= row; ++column, ++value) {
-          const Index u = share.unknown[row];
-          const Index v = share.unknown[column];
-          if (u != kNone && v != kNone) {
-            dense(u, v) += *value;
-            if (row != column) {
-              dense(v, u) += *value;
-            }
+      for_each_lower<7>([&](std::size_t row, std::size_t column, std::size_t k) {
+        const Index u = share.unknown[row];
+        const Index v = share.unknown[column];
+        if (u != kNone && v != kNone) {
+          dense(u, v) += share.value[k];
+          if (row != column) {
+            dense(v, u) += share.value[k];
           }
         }
-      }
+      });
     }
   }
 
@@ -77,7 +74,7 @@ TEST_P(MultifrontalOfAnyBoundary, SolvesWhatDenseAlgebraSolvesAndHasItsInertia) 
   for (const bool keep_angles : {false, true}) {
     expect_solved(foam, whole_foam(foam), keep_angles || GetParam() == Boundary::Free);
     for (const int rings : {0, 1, 2}) { // with films whose ends are held between bubbles
-      expect_solved(foam, patch(foam, std::array<Index, 2>{20, 70}, rings), true);
+      expect_solved(foam, patch(foam, std::array{Bubble(20), Bubble(70)}, rings), true);
     }
   }
 }
@@ -98,19 +95,19 @@ TEST_P(MultifrontalOfAnyBoundary, BranchesShareNoEquation) {
   std::vector<Index> parent(tree.nodes.size(), kNone);
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     for (Index i = tree.nodes[n].begin; i < tree.nodes[n].end; ++i) {
-      node_of[Foam::size(tree.order[Foam::size(i)])] = static_cast<Index>(n);
+      node_of[place_of(tree.order[place_of(i)])] = static_cast<Index>(n);
     }
     for (const Index child : tree.nodes[n].children) {
       if (child != kNone) {
         EXPECT_LT(child, static_cast<Index>(n));
-        EXPECT_EQ(parent[Foam::size(child)], kNone);
-        parent[Foam::size(child)] = static_cast<Index>(n);
+        EXPECT_EQ(parent[place_of(child)], kNone);
+        parent[place_of(child)] = static_cast<Index>(n);
       }
     }
   }
   const auto above = [&](Index upper, Index lower) {
     while (lower != kNone && lower != upper) {
-      lower = parent[Foam::size(lower)];
+      lower = parent[place_of(lower)];
     }
     return lower == upper;
   };
@@ -118,8 +115,8 @@ TEST_P(MultifrontalOfAnyBoundary, BranchesShareNoEquation) {
     for (const Index u : share.unknown) {
       for (const Index v : share.unknown) {
         if (u != kNone && v != kNone) {
-          const Index p = node_of[Foam::size(u)];
-          const Index q = node_of[Foam::size(v)];
+          const Index p = node_of[place_of(u)];
+          const Index q = node_of[place_of(v)];
           EXPECT_TRUE(above(p, q) || above(q, p)) << u << ' ' << v;
         }
       }
@@ -141,7 +138,7 @@ TEST(Multifrontal, GivesTheSameBitsForAnyNumberOfThreads) {
     MultifrontalSolver solver(threads);
     solver.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
     EXPECT_EQ(solver.factorise(matrix.shares(), matrix.diagonal()), 4000);
-    std::vector<double> solution(Foam::size(matrix.unknowns().count()), 1.0);
+    std::vector<double> solution(place_of(matrix.unknowns().count()), 1.0);
     solver.solve(solution);
     solver.round();
     solver.solve(solution);
@@ -179,12 +176,12 @@ TEST(Multifrontal, RefusesAMatrixThatIsSingular) {
   const System system(foam, whole_foam(foam), false);
   MultifrontalSolver solver;
   solver.analyse(system.tree(foam), system.matrix.shares());
-  const std::vector<double> nothing(Foam::size(system.matrix.unknowns().count()), 0.0);
+  const std::vector<double> nothing(place_of(system.matrix.unknowns().count()), 0.0);
   std::vector<FilmShare> shares(system.matrix.shares().begin(), system.matrix.shares().end());
   for (FilmShare& share : shares) {
     share.value.fill(0);
   }
-  EXPECT_EQ(solver.factorise(shares, nothing), -1);
+  EXPECT_EQ(solver.factorise(std::span<const FilmShare>(shares), nothing), -1);
 }
 
 /// K = L·D·Lᵀ put together again, for sizes around those of tiles and blocks.

@@ -23,33 +23,33 @@ CoarseningOptions frames(double time_step = 1.0 / 30) {
 
 template <class Of> double sum(const Foam& foam, const Of& of) {
   double total = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     total += foam.has_bubble(b) ? of(b) : 0;
   }
   return total;
 }
 
 double gas(const Foam& foam) {
-  return sum(foam, [&](Index b) { return foam.target_area[Foam::size(b)]; });
+  return sum(foam, [&](Bubble b) { return foam.target_area[b]; });
 }
 double room(const Foam& foam) {
-  return sum(foam, [&](Index b) { return foam.area(b); });
+  return sum(foam, [&](Bubble b) { return foam.area(b); });
 }
 
 /// A bubble and its neighbours.
-std::set<Index> around(const Foam& foam, Index bubble) {
-  std::set<Index> bubbles{bubble};
-  for_each_half(foam, bubble, [&](Index h) { bubbles.insert(foam.right(h)); });
+std::set<Bubble> around(const Foam& foam, Bubble bubble) {
+  std::set<Bubble> bubbles{bubble};
+  for_each_half(foam, bubble, [&](Half h) { bubbles.insert(foam.right(h)); });
   return bubbles;
 }
 
 /// Bubbles with the same neighbours, of as many sides, in both foams: nothing has happened there.
-std::vector<Index> undisturbed(const Foam& before, const Foam& after) {
-  std::vector<Index> bubbles;
-  for (Index b = 0; b < after.bubble_capacity(); ++b) {
+std::vector<Bubble> undisturbed(const Foam& before, const Foam& after) {
+  std::vector<Bubble> bubbles;
+  for (const Bubble b : after.bubble_slots()) {
     if (after.has_bubble(b) && around(before, b) == around(after, b) &&
-        std::ranges::all_of(around(after, b), [&](Index n) {
-          return n == kWorld || before.sides[Foam::size(n)] == after.sides[Foam::size(n)];
+        std::ranges::all_of(around(after, b), [&](Bubble n) {
+          return n.is_outside() || before.sides[n] == after.sides[n];
         })) {
       bubbles.push_back(b);
     }
@@ -86,12 +86,11 @@ TEST_P(NewtonFrames, AreEquilibriaThatKeepTheGas) {
       EXPECT_NEAR(gas(foam) / room(foam), 1, 1e-12) << where;
     }
     bubbles += foam.bubble_count();
-    for (const Index b : undisturbed(before, foam)) {
-      const auto i = Foam::size(b);
-      if (boundary != Boundary::Fixed || !foam.bubble_on_world(b)) {
+    for (const Bubble b : undisturbed(before, foam)) {
+      if (boundary != Boundary::Fixed || !foam.bubble_on_outside(b)) {
         ++law;
-        EXPECT_NEAR(foam.target_area[i] - before.target_area[i], step * (foam.sides[i] - 6), 1e-12)
-            << where << "bubble " << b;
+        EXPECT_NEAR(foam.target_area[b] - before.target_area[b], step * (foam.sides[b] - 6), 1e-12)
+            << where << "bubble " << b.index();
       }
     }
   }
@@ -135,7 +134,7 @@ TEST(NewtonFrame, GoesWhereStepsFromEventToEventGo) {
       const Foam foam = coarsened(Stepping::FixedSteps, steps);
       EXPECT_EQ(foam.sides, expected.sides);
       EXPECT_EQ(foam.t2_count, expected.t2_count);
-      return sum(foam, [&](Index b) { return std::abs(foam.area(b) - expected.area(b)); });
+      return sum(foam, [&](Bubble b) { return std::abs(foam.area(b) - expected.area(b)); });
     };
     const double coarse = difference(15);
     EXPECT_LT(coarse, 0.1);
@@ -187,8 +186,8 @@ TEST(NewtonFrame, DoubleBubbleLivesItsTime) {
   coarsening.restart(foam);
   while (coarsening.advance({})) {
     const double gone = 0.5 * coarsening.foam().time / lifetime;
-    EXPECT_NEAR(coarsening.foam().area(0), 0.5 - gone, 1e-9);
-    EXPECT_NEAR(coarsening.foam().area(1), 1 - gone, 1e-9);
+    EXPECT_NEAR(coarsening.foam().area(Bubble(0)), 0.5 - gone, 1e-9);
+    EXPECT_NEAR(coarsening.foam().area(Bubble(1)), 1 - gone, 1e-9);
   }
   EXPECT_NEAR(coarsening.foam().time, lifetime, 1.01 * lifetime / 100);
 }
@@ -221,14 +220,14 @@ TEST(NewtonFrame, RemovesTwoSidedBubblesAtTheirTime) {
   NewtonFrameCoarsening coarsening(frames(0.004));
   coarsening.restart(start);
   const double step = 4 * von_neumann_constant(0.25, 1) * 0.004;
-  for (int frame = 0; coarsening.foam().has_bubble(2); ++frame) {
-    EXPECT_EQ(coarsening.foam().sides[2], 2);
-    EXPECT_NEAR(coarsening.foam().target_area[2], 0.2 - frame * step, 1e-12);
-    const double before = coarsening.foam().target_area[2];
+  for (int frame = 0; coarsening.foam().has_bubble(Bubble(2)); ++frame) {
+    EXPECT_EQ(coarsening.foam().sides[Bubble(2)], 2);
+    EXPECT_NEAR(coarsening.foam().target_area[Bubble(2)], 0.2 - frame * step, 1e-12);
+    const double before = coarsening.foam().target_area[Bubble(2)];
     ASSERT_TRUE(coarsening.advance({}));
     expect_equilibrium(coarsening.foam());
     expect_valid(coarsening.foam());
-    EXPECT_EQ(coarsening.foam().has_bubble(2), before > 0.05) << before;
+    EXPECT_EQ(coarsening.foam().has_bubble(Bubble(2)), before > 0.05) << before;
   }
   EXPECT_EQ(coarsening.foam().t3_count, 1);
 }
@@ -241,25 +240,26 @@ TEST(NewtonFrame, SlidesTwoSidedBubblesToACorner) {
   ASSERT_TRUE(coarsening.advance({}));
   expect_equilibrium(coarsening.foam());
   expect_valid(coarsening.foam());
-  EXPECT_EQ(coarsening.foam().sides, (std::vector<Index>{3, 3, 3})) << "a triple bubble";
+  EXPECT_EQ(coarsening.foam().sides, (Field<Bubble, Index>{3, 3, 3})) << "a triple bubble";
 }
 
 /// A bubble that cannot give way, here because nobody asks it to, keeps its gas, which is taken
 /// from all others alike.
 TEST(NewtonFrame, ABubbleThatWouldLoseTooMuchKeepsItsGas) {
   Foam foam = random_foam(50, Boundary::Periodic, 1);
-  const auto small = std::ranges::find(foam.sides, 5) - foam.sides.begin();
-  foam.target_area[static_cast<std::size_t>(small)] = 1e-4;
-  const std::vector<double> before = foam.target_area;
-  const NewtonRules rules{.rate = area_rate(view_of(foam), 1), .time_step = 0.01};
+  const auto five = std::ranges::find(foam.sides, 5) - foam.sides.begin();
+  const Bubble small(static_cast<Index>(five));
+  foam.target_area[small] = 1e-4;
+  const Field<Bubble, double> before = foam.target_area;
+  const ConstFoamView mesh = const_view(view_of(foam));
+  const NewtonRules rules{.rate = area_rate(mesh, 1), .time_step = 0.01};
   const detail::BearableRate rate{rules};
   Host host;
   const double step = von_neumann_constant(0.25, 1) * 0.01;
-  diffuse(host, view_of(foam), rate, sum_bubbles(host, view_of(foam), rate), 0.01);
-  for (std::size_t b = 0; b < before.size(); ++b) {
-    const bool kept = b == static_cast<std::size_t>(small);
-    EXPECT_NEAR(foam.target_area[b] - before[b], kept ? 0 : step * (foam.sides[b] - 6 - 1 / 49.0),
-                1e-15);
+  diffuse(host, view_of(foam), rate, sum_bubbles(host, mesh, rate), 0.01);
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_NEAR(foam.target_area[b] - before[b],
+                b == small ? 0 : step * (foam.sides[b] - 6 - 1 / 49.0), 1e-15);
   }
 }
 

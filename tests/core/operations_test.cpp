@@ -13,6 +13,8 @@
 
 #include "construct/jittered_grid.h"
 #include "hand_made.h"
+#include "mesh/element_measures.h"
+#include "physics/swap_rule.h"
 
 namespace foam {
 namespace {
@@ -28,7 +30,7 @@ Foam sample(Boundary boundary, Index n = 60, std::uint64_t seed = 1) {
 
 double total_area(const Foam& foam) {
   double sum = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     sum += foam.has_bubble(b) ? foam.area(b) : 0;
   }
   return sum;
@@ -36,31 +38,31 @@ double total_area(const Foam& foam) {
 
 double total_target(const Foam& foam) {
   double sum = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    sum += foam.has_bubble(b) ? foam.target_area[Foam::size(b)] : 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    sum += foam.has_bubble(b) ? foam.target_area[b] : 0;
   }
   return sum;
 }
 
-std::pair<Index, Index> unordered(Index a, Index b) {
+std::pair<Bubble, Bubble> unordered(Bubble a, Bubble b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
 /// How many films each pair of bubbles shares.
-std::map<std::pair<Index, Index>, int> contacts(const Foam& foam) {
-  std::map<std::pair<Index, Index>, int> result;
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
+std::map<std::pair<Bubble, Bubble>, int> contacts(const Foam& foam) {
+  std::map<std::pair<Bubble, Bubble>, int> result;
+  for (const Film f : foam.film_slots()) {
     if (foam.has_film(f)) {
-      ++result[unordered(foam.left(2 * f), foam.right(2 * f))];
+      ++result[unordered(foam.left(f.half()), foam.right(f.half()))];
     }
   }
   return result;
 }
 
 /// Largest deviation from 120° between the films at a junction, rad.
-double angle_error(const Foam& foam, Index j) {
+double angle_error(const Foam& foam, Junction j) {
   double error = 0;
-  for (const Index h : foam.junction_half[Foam::size(j)]) {
+  for (const Half h : foam.junction_half[j]) {
     const double angle = angle_from_to(foam.tangent(h), foam.tangent(foam.next_around_junction(h)));
     error = std::max(error, std::abs(angle - kThird));
   }
@@ -68,24 +70,24 @@ double angle_error(const Foam& foam, Index j) {
 }
 
 void expect_plateau(const Foam& foam) {
-  for (Index j = 0; j < foam.junction_capacity(); ++j) {
+  for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j)) {
-      EXPECT_LT(angle_error(foam, j), 1e-9) << "junction " << j;
+      EXPECT_LT(angle_error(foam, j), 1e-9) << "junction " << j.index();
     }
   }
 }
 
 void expect_area_on_target(const Foam& foam) {
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b)) {
-      EXPECT_NEAR(foam.target_area[Foam::size(b)], foam.area(b), 1e-12);
+      EXPECT_NEAR(foam.target_area[b], foam.area(b), 1e-12);
     }
   }
 }
 
 void aim_at_areas(Foam& foam) {
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    foam.target_area[Foam::size(b)] = foam.area(b);
+  for (const Bubble b : foam.bubble_slots()) {
+    foam.target_area[b] = foam.area(b);
   }
 }
 
@@ -104,8 +106,8 @@ struct Moebius {
 
 FilmSet mapped(FilmSet set, const Moebius& map) {
   for (auto& film : set.films) {
-    const Vec2 a = set.junctions[Foam::size(film.start)];
-    const Vec2 b = set.junctions[Foam::size(film.end)];
+    const Vec2 a = set.junctions[film.start];
+    const Vec2 b = set.junctions[film.end];
     const Vec2 middle = map(arc_point(a, b - a, film.half_angle, 0.5));
     film.half_angle = angle_from_to(middle - map(a), map(b) - middle); // inscribed angle
   }
@@ -188,24 +190,24 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, AnyBoundary,
 TEST_P(AnyBoundary, T1ExchangesNeighbours) {
   const Foam before = sample(GetParam());
   Index performed = 0;
-  for (Index f = 0; f < before.film_capacity(); ++f) {
+  for (const Film f : before.film_slots()) {
     if (!can_perform_t1(before, f)) {
       continue;
     }
     Foam foam = before;
-    const Index h = 2 * f;
-    const Index at_start = before.left(before.next_around_junction(h));
-    const Index at_end = before.left(before.next_around_junction(h + 1));
+    const Half h = f.half();
+    const Bubble at_start = before.left(before.next_around_junction(h));
+    const Bubble at_end = before.left(before.next_around_junction(h.twin()));
     const auto parted = perform_t1(foam, f);
     ++performed;
     expect_valid(foam);
     EXPECT_EQ(unordered(parted[0], parted[1]), unordered(before.left(h), before.right(h)));
     EXPECT_EQ(unordered(foam.left(h), foam.right(h)), unordered(at_start, at_end));
-    for (const Index b : parted) {
-      EXPECT_TRUE(b == kWorld || foam.sides[Foam::size(b)] == before.sides[Foam::size(b)] - 1);
+    for (const Bubble b : parted) {
+      EXPECT_TRUE(b.is_outside() || foam.sides[b] == before.sides[b] - 1);
     }
-    for (const Index b : {at_start, at_end}) {
-      EXPECT_TRUE(b == kWorld || foam.sides[Foam::size(b)] == before.sides[Foam::size(b)] + 1);
+    for (const Bubble b : {at_start, at_end}) {
+      EXPECT_TRUE(b.is_outside() || foam.sides[b] == before.sides[b] + 1);
     }
     EXPECT_EQ(foam.t1_count, 1);
     EXPECT_GT(foam.topology, before.topology);
@@ -217,16 +219,16 @@ TEST_P(AnyBoundary, T1ExchangesNeighbours) {
 
 TEST_P(AnyBoundary, T1TwiceReturnsToTheSameNeighbours) {
   const Foam before = sample(GetParam());
-  for (Index f = 0; f < before.film_capacity(); ++f) {
+  for (const Film f : before.film_slots()) {
     Foam foam = before;
     if (!can_perform_t1(foam, f)) {
       continue;
     }
     perform_t1(foam, f);
-    if (foam.wall(2 * f)) {
+    if (foam.wall(f.half())) {
       continue; // a piece of the wall does not swap back
     }
-    ASSERT_TRUE(can_perform_t1(foam, f)) << f;
+    ASSERT_TRUE(can_perform_t1(foam, f)) << f.index();
     perform_t1(foam, f);
     expect_valid(foam);
     EXPECT_EQ(foam.sides, before.sides);
@@ -238,46 +240,46 @@ TEST_P(AnyBoundary, T1TwiceReturnsToTheSameNeighbours) {
 TEST(T1, NewFilmLiesAcrossTheOldOne) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic}) {
     const Foam before = sample(boundary);
-    for (Index f = 0; f < before.film_capacity(); ++f) {
+    for (const Film f : before.film_slots()) {
       Foam foam = before;
       if (!can_perform_t1(foam, f)) {
         continue;
       }
-      const Index j = foam.start(2 * f);
-      const Vec2 middle = foam.position[Foam::size(j)] + 0.5 * foam.chord(2 * f);
+      const Junction j = foam.start(f.half());
+      const Vec2 middle = foam.position[j] + 0.5 * foam.chord(f.half());
       perform_t1(foam, f);
-      EXPECT_NEAR(dot(foam.chord(2 * f), before.chord(2 * f)), 0, 1e-12);
-      EXPECT_NEAR(norm(foam.position[Foam::size(j)] + 0.5 * foam.chord(2 * f) - middle), 0, 1e-12);
+      EXPECT_NEAR(dot(foam.chord(f.half()), before.chord(f.half())), 0, 1e-12);
+      EXPECT_NEAR(norm(foam.position[j] + 0.5 * foam.chord(f.half()) - middle), 0, 1e-12);
     }
   }
 }
 
 TEST(T1, NewFilmHasTheCurvatureOfItsPressures) {
   Foam foam = honeycomb(4, 2);
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    foam.pressure[Foam::size(b)] = 0.02 * (b % 5);
+  for (const Bubble b : foam.bubble_slots()) {
+    foam.pressure[b] = 0.02 * (b.index() % 5);
   }
-  const Index f = 17;
+  const Film f(17);
   perform_t1(foam, f);
-  const double q = foam.pressure_of(foam.left(2 * f)) - foam.pressure_of(foam.right(2 * f));
+  const double q = foam.pressure_difference(f.half());
   EXPECT_NE(q, 0);
   // Laplace and Young: the pressure difference is 2γ times the curvature.
-  const double curvature = arc_curvature(norm(foam.chord(2 * f)), foam.half_angle(2 * f));
-  EXPECT_NEAR(2 * foam.surface_tension * curvature, q, 1e-15);
+  const double curvature = arc_curvature(norm(foam.chord(f.half())), foam.half_angle(f.half()));
+  EXPECT_NEAR(foam.reference_tension() * curvature, q, 1e-15);
 }
 
 TEST(T1, KeepsTheContainer) {
   const Foam before = sample(Boundary::Fixed);
   Index at_wall = 0;
-  for (Index f = 0; f < before.film_capacity(); ++f) {
+  for (const Film f : before.film_slots()) {
     Foam foam = before;
-    if (foam.wall(2 * f)) {
+    if (foam.wall(f.half())) {
       EXPECT_FALSE(can_perform_t1(foam, f));
     } else if (can_perform_t1(foam, f)) {
       perform_t1(foam, f);
-      if (foam.wall(2 * f)) {
+      if (foam.wall(f.half())) {
         ++at_wall;
-        EXPECT_EQ(foam.half_angle(2 * f), 0);
+        EXPECT_EQ(foam.half_angle(f.half()), 0);
         EXPECT_NEAR(total_area(foam), total_area(before), 1e-12 * total_area(before));
       }
     }
@@ -287,11 +289,11 @@ TEST(T1, KeepsTheContainer) {
 
 TEST(T1, IsRefusedWhereABubbleWouldLoseItsLastTwoSides) {
   const Foam triple = foam_of(triple_bubble());
-  for (Index f = 0; f < triple.film_capacity(); ++f) {
+  for (const Film f : triple.film_slots()) {
     EXPECT_EQ(can_perform_t1(triple, f), true) << "three sides can spare one";
   }
   const Foam two = foam_of(double_bubble());
-  for (Index f = 0; f < two.film_capacity(); ++f) {
+  for (const Film f : two.film_slots()) {
     EXPECT_FALSE(can_perform_t1(two, f));
   }
 }
@@ -301,24 +303,25 @@ TEST(T2, OfAnEquilibriumLeavesAnEquilibrium) {
   for (const Moebius& map : {Moebius{}, kMap}) {
     Foam foam = equilibrium(mapped(three_petals(), map));
     const double area = total_area(foam);
-    ASSERT_TRUE(can_perform_t2(foam, 3));
-    const T2Result result = perform_t2(foam, 3);
+    ASSERT_TRUE(can_perform_t2(foam, Bubble(3)));
+    const T2Result result = perform_t2(foam, Bubble(3));
     expect_valid(foam);
     expect_plateau(foam);
     expect_area_on_target(foam);
     EXPECT_NEAR(total_area(foam), area, 1e-12) << "the outside has not changed";
-    EXPECT_FALSE(foam.has_bubble(3));
+    EXPECT_FALSE(foam.has_bubble(Bubble(3)));
     EXPECT_EQ(foam.t2_count, 1);
 
     const Foam expected = foam_of(mapped(triple_bubble(), map));
-    for (Index b = 0; b < 3; ++b) {
+    for (const Bubble b : Slots<Bubble>(3)) {
       EXPECT_NEAR(foam.area(b), expected.area(b), 1e-12);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index j = foam.start(2 * result.films[k]);
-      EXPECT_EQ(j, foam.start(2 * result.films[0]));
-      EXPECT_NEAR(norm(foam.position[Foam::size(j)]), 0, 1e-12) << "the map keeps the origin";
-      EXPECT_NE(std::ranges::find(result.bubbles, static_cast<Index>(k)), result.bubbles.end());
+      const Junction j = foam.start(result.films[k].half());
+      EXPECT_EQ(j, foam.start(result.films[0].half()));
+      EXPECT_NEAR(norm(foam.position[j]), 0, 1e-12) << "the map keeps the origin";
+      EXPECT_NE(std::ranges::find(result.bubbles, Bubble(static_cast<Index>(k))),
+                result.bubbles.end());
     }
   }
 }
@@ -327,52 +330,52 @@ TEST(T2, OfAnEquilibriumOnTheBoundaryLeavesAnEquilibrium) {
   // A triple bubble without one of its three is a double bubble.
   for (const Moebius& map : {Moebius{}, kMap}) {
     Foam foam = equilibrium(mapped(triple_bubble(), map));
-    ASSERT_TRUE(can_perform_t2(foam, 1));
-    perform_t2(foam, 1);
+    ASSERT_TRUE(can_perform_t2(foam, Bubble(1)));
+    perform_t2(foam, Bubble(1));
     expect_valid(foam);
     expect_plateau(foam);
     expect_area_on_target(foam);
     EXPECT_EQ(foam.bubble_count(), 2);
   }
   Foam foam = equilibrium(triple_bubble());
-  perform_t2(foam, 1);
+  perform_t2(foam, Bubble(1));
   const double radius = std::sqrt(3.0) / 2; // of the semicircles
   const double area = radius * radius * (kThird + std::sqrt(3.0) / 4);
-  EXPECT_NEAR(foam.area(0), area, 1e-12);
-  EXPECT_NEAR(foam.area(2), area, 1e-12);
+  EXPECT_NEAR(foam.area(Bubble(0)), area, 1e-12);
+  EXPECT_NEAR(foam.area(Bubble(2)), area, 1e-12);
 }
 
 TEST(T2, SharesOutWhatABubbleLackedOfItsTarget) {
   Foam foam = equilibrium(three_petals());
-  foam.target_area[3] *= 0.5;
+  foam.target_area[Bubble(3)] *= 0.5;
   const double total = total_target(foam);
-  perform_t2(foam, 3);
+  perform_t2(foam, Bubble(3));
   EXPECT_NEAR(total_target(foam), total, 1e-12);
 }
 
 TEST(T2, IsRefusedWhereANeighbourWouldBeLeftWithOneSide) {
   const Foam foam = foam_of(mapped(double_bubble_with_lens(-0.2, 0.3), kMap));
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
+  for (const Bubble b : foam.bubble_slots()) {
     EXPECT_FALSE(can_perform_t2(foam, b));
   }
-  EXPECT_FALSE(can_perform_t2(honeycomb(4, 2), 0)) << "six sides";
+  EXPECT_FALSE(can_perform_t2(honeycomb(4, 2), Bubble(0))) << "six sides";
 }
 
 TEST(T3, OfAnEquilibriumLeavesAnEquilibrium) {
   for (const Moebius& map : {Moebius{}, kMap}) {
     Foam foam = equilibrium(mapped(double_bubble_with_lens(-0.2, 0.5), map));
     const double area = total_area(foam);
-    ASSERT_TRUE(can_perform_t3(foam, 2));
-    const auto neighbours = perform_t3(foam, 2);
-    EXPECT_EQ(unordered(neighbours[0], neighbours[1]), std::pair(0, 1));
+    ASSERT_TRUE(can_perform_t3(foam, Bubble(2)));
+    const auto neighbours = perform_t3(foam, Bubble(2));
+    EXPECT_EQ(unordered(neighbours[0], neighbours[1]), std::pair(Bubble(0), Bubble(1)));
     expect_valid(foam);
     expect_plateau(foam);
     expect_area_on_target(foam);
     EXPECT_NEAR(total_area(foam), area, 1e-12);
     EXPECT_EQ(foam.t3_count, 1);
     const Foam expected = foam_of(mapped(double_bubble(), map));
-    EXPECT_NEAR(foam.area(0), expected.area(0), 1e-12);
-    EXPECT_NEAR(foam.area(1), expected.area(1), 1e-12);
+    EXPECT_NEAR(foam.area(Bubble(0)), expected.area(Bubble(0)), 1e-12);
+    EXPECT_NEAR(foam.area(Bubble(1)), expected.area(Bubble(1)), 1e-12);
     EXPECT_NEAR(foam.energy(), expected.energy(), 1e-12);
   }
 }
@@ -393,48 +396,200 @@ TEST(T3, OfALensOnTheBoundaryLeavesTheOuterArcWhole) {
   set.films.push_back({2, 3, 2, -1, delta + kPi / 3, {}});
   set.films.push_back({3, 2, 2, 1, kPi / 3 - delta, {}});
   Foam foam = equilibrium(set);
-  ASSERT_TRUE(can_perform_t3(foam, 2));
-  perform_t3(foam, 2);
+  ASSERT_TRUE(can_perform_t3(foam, Bubble(2)));
+  perform_t3(foam, Bubble(2));
   expect_valid(foam);
   expect_plateau(foam);
   const Foam expected = foam_of(double_bubble());
-  EXPECT_NEAR(foam.area(1), expected.area(1), 1e-12);
-  EXPECT_NEAR(foam.target_area[1], expected.area(1), 1e-12);
+  EXPECT_NEAR(foam.area(Bubble(1)), expected.area(Bubble(1)), 1e-12);
+  EXPECT_NEAR(foam.target_area[Bubble(1)], expected.area(Bubble(1)), 1e-12);
 }
 
 TEST(T3, IsRefusedForTheBubblesOfADoubleBubble) {
   const Foam foam = foam_of(double_bubble());
-  EXPECT_FALSE(can_perform_t3(foam, 0));
-  EXPECT_FALSE(can_perform_t3(foam, 1));
-  EXPECT_FALSE(can_perform_t3(foam_of(triple_bubble()), 0)) << "three sides";
+  EXPECT_FALSE(can_perform_t3(foam, Bubble(0)));
+  EXPECT_FALSE(can_perform_t3(foam, Bubble(1)));
+  EXPECT_FALSE(can_perform_t3(foam_of(triple_bubble()), Bubble(0))) << "three sides";
 }
 
 TEST(Slide, KeepsTheEquilibriumAndTheLens) {
   for (const Moebius& map : {Moebius{}, kMap}) {
     for (const auto& [low, high] : {std::pair(-0.3, 0.5), std::pair(-0.5, 0.1)}) {
       Foam foam = equilibrium(mapped(double_bubble_with_lens(low, high), map));
-      const bool up = foam.length(2) < foam.length(0); // film 1 joins the upper corner
-      const Index ahead = up ? 2 : 0;
-      const Index behind = up ? 0 : 2;
-      const double chord = norm(foam.chord(8));
-      const double area = foam.area(2);
+      const Bubble lens(2);
+      const Half lower = Film(0).half();
+      const Half upper = Film(1).half();
+      const Half side = Film(4).half();
+      const bool up = foam.length(upper) < foam.length(lower);
+      const Half ahead = up ? upper : lower;
+      const Half behind = up ? lower : upper;
+      const double chord = norm(foam.chord(side));
+      const double area = foam.area(lens);
       const double path = arc_curvature(norm(foam.chord(ahead)), foam.half_angle(ahead));
-      slide_two_sided_bubble(foam, 2, 0.05);
+      slide_two_sided_bubble(foam, lens, 0.05);
       expect_valid(foam);
       expect_plateau(foam);
       EXPECT_NEAR(foam.length(ahead), 0.05, 1e-12);
-      EXPECT_NEAR(norm(foam.chord(8)), chord, 1e-12);
-      EXPECT_NEAR(foam.area(2), area, 1e-12);
-      for (const Index h : {ahead, behind}) {
+      EXPECT_NEAR(norm(foam.chord(side)), chord, 1e-12);
+      EXPECT_NEAR(foam.area(lens), area, 1e-12);
+      for (const Half h : {ahead, behind}) {
         EXPECT_NEAR(arc_curvature(norm(foam.chord(h)), foam.half_angle(h)), path, 1e-10);
       }
       const FilmSet there = film_set(foam);
-      slide_two_sided_bubble(foam, 2, 0.05);
-      EXPECT_LT(norm(foam.position[2] - there.junctions[2]), 1e-12) << "close enough already";
-      slide_two_sided_bubble(foam, 2, 0.2);
-      EXPECT_LT(norm(foam.position[2] - there.junctions[2]), 1e-12) << "never backwards";
+      slide_two_sided_bubble(foam, lens, 0.05);
+      EXPECT_LT(norm(foam.position[Junction(2)] - there.junctions[2]), 1e-12)
+          << "close enough already";
+      slide_two_sided_bubble(foam, lens, 0.2);
+      EXPECT_LT(norm(foam.position[Junction(2)] - there.junctions[2]), 1e-12) << "never backwards";
     }
   }
+}
+
+/// The tensions of a foam's films are their own from now on, all equal at first.
+void give_tensions(Foam& foam) {
+  foam.film_tension.assign(foam.film_angle.size(), foam.reference_tension());
+}
+
+/// A film of length 1, film 0, between a bubble on either side and one at either end; the four
+/// films that end in it are straight and leave it at 130° on both sides. Tension 0.5.
+struct ShortFilm {
+  static constexpr double kAngle = 50 * kPi / 180; // between the film's line and the other four
+  Foam foam = foam_of_polygons({{-0.5, 0},
+                                {0.5, 0},
+                                Vec2{-0.5, 0} + polar(2, kPi - kAngle),
+                                Vec2{-0.5, 0} + polar(2, kPi + kAngle),
+                                Vec2{0.5, 0} + polar(2, -kAngle),
+                                Vec2{0.5, 0} + polar(2, kAngle)},
+                               {{2, 3, 0}, {1, 4, 5}, {2, 0, 1, 5}, {3, 4, 1, 0}});
+  Film film{0};
+
+  ShortFilm() { give_tensions(foam); }
+
+  /// Of the film from one junction to another, N/cm.
+  double& tension(Index from, Index to) {
+    for (const Half h : foam.half_slots()) {
+      if (foam.start(h) == Junction(from) && foam.end(h) == Junction(to)) {
+        return foam.film_tension[h.film()];
+      }
+    }
+    throw std::out_of_range("no such film");
+  }
+};
+
+TEST(OwnTensions, PullAFilmShutThatTheyOvercome) {
+  // Two films of tension 0.5 pull across with 2·0.5·sin 50° = 0.766.
+  ShortFilm s;
+  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  s.tension(0, 1) = 0.76;
+  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  s.tension(0, 1) = 0.77;
+  EXPECT_FALSE(pulled_shut(s.foam, s.film));
+}
+
+TEST(OwnTensions, PullAFilmShutHarderAcrossThanAlong) {
+  // With t for the two films below, 2t·sin 50° across, on the weaker side, and
+  // √((0.5 + t)²·cos² 50° + (0.5 − t)²·sin² 50°) along are equal at t = 0.371.
+  ShortFilm s;
+  s.tension(0, 1) = 0.1;
+  s.tension(0, 3) = s.tension(1, 4) = 0.38;
+  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  s.tension(0, 3) = s.tension(1, 4) = 0.36;
+  EXPECT_FALSE(pulled_shut(s.foam, s.film));
+}
+
+TEST(OwnTensions, ThatAreAllTheSameChangeNothing) {
+  const Foam uniform = sample(Boundary::Periodic);
+  Foam own = uniform;
+  give_tensions(own);
+  for (const Film f : uniform.film_slots()) {
+    EXPECT_EQ(pulled_shut(own, f), pulled_shut(uniform, f));
+    EXPECT_EQ(can_perform_t1(own, f), can_perform_t1(uniform, f));
+  }
+}
+
+TEST(T1, IsRefusedWhereAJunctionCouldNotHoldItsTensions) {
+  ShortFilm s;
+  ASSERT_TRUE(can_perform_t1(s.foam, s.film));
+  s.tension(0, 2) = 0.99;
+  EXPECT_TRUE(can_perform_t1(s.foam, s.film));
+  s.tension(0, 2) = 1.01; // beside the film and another one, of 0.5
+  EXPECT_FALSE(can_perform_t1(s.foam, s.film));
+  s.tension(0, 1) = 0.6;
+  EXPECT_TRUE(can_perform_t1(s.foam, s.film));
+  s.tension(0, 1) = 1.6; // what the film itself pulls with is too much for two of 0.5
+  EXPECT_FALSE(can_perform_t1(s.foam, s.film));
+}
+
+TEST(T1, NewFilmKeepsItsTensionAndIsCurvedByIt) {
+  Foam foam = honeycomb(4, 2);
+  give_tensions(foam);
+  for (const Bubble b : foam.bubble_slots()) {
+    foam.pressure[b] = 0.02 * (b.index() % 5);
+  }
+  const Film f(17);
+  foam.film_tension[f] = 0.8;
+  const Field<Film, double> tensions = foam.film_tension;
+  perform_t1(foam, f);
+  EXPECT_EQ(foam.film_tension, tensions);
+  const double curvature = arc_curvature(norm(foam.chord(f.half())), foam.half_angle(f.half()));
+  EXPECT_NEAR(0.8 * curvature, foam.pressure_difference(f.half()), 1e-15);
+  EXPECT_NE(curvature, 0);
+}
+
+/// Three petals whose inner bubble is turned, so that the arcs of the other films do not meet.
+Foam turned_petals(double turn) {
+  FilmSet set = three_petals();
+  for (std::size_t k = 0; k < 3; ++k) {
+    set.junctions[k] = polar(0.3, static_cast<double>(k) * kThird + turn);
+  }
+  Foam foam = foam_of(set);
+  aim_at_areas(foam);
+  give_tensions(foam);
+  return foam;
+}
+
+TEST(T2, WhereArcsDoNotMeetKeepsTheGas) {
+  for (const double turn : {0.05, -0.4, 0.9}) {
+    Foam foam = turned_petals(turn);
+    foam.film_tension[Film(0)] = 1.2; // a spoke
+    const double area = total_area(foam);
+    ASSERT_TRUE(can_perform_t2(foam, Bubble(3)));
+    const T2Result result = perform_t2(foam, Bubble(3));
+    expect_valid(foam);
+    EXPECT_TRUE(validate_geometry(foam).empty());
+    expect_area_on_target(foam);
+    EXPECT_NEAR(total_area(foam), area, 1e-12);
+    EXPECT_EQ(foam.film_tension[Film(0)], 1.2);
+    EXPECT_LT(norm(foam.position[foam.start(result.films[0].half())]), 0.3);
+  }
+}
+
+TEST(T2, IsRefusedWhereAJunctionCouldNotHoldItsTensions) {
+  Foam foam = turned_petals(0);
+  foam.film_tension[Film(0)] = 1.99; // beside the other two, of 1
+  EXPECT_TRUE(can_perform_t2(foam, Bubble(3)));
+  foam.film_tension[Film(0)] = 2.01;
+  EXPECT_FALSE(can_perform_t2(foam, Bubble(3)));
+}
+
+TEST(T3, KeepsTheTensionOfTheFilmThatRemains) {
+  Foam foam = equilibrium(mapped(double_bubble_with_lens(-0.2, 0.5), kMap));
+  give_tensions(foam);
+  const Bubble lens(2);
+  const Half h = foam.bubble_half[lens];
+  const Film remains = foam.previous_around_junction(h).film();
+  const Film goes = foam.previous_around_junction(foam.next_in_bubble(h)).film();
+  foam.film_tension[remains] = 2.01; // it would end between two films of 1
+  EXPECT_FALSE(can_perform_t3(foam, lens));
+  foam.film_tension[goes] = 2.01; // and now that one does
+  foam.film_tension[remains] = 1.99;
+  ASSERT_TRUE(can_perform_t3(foam, lens));
+  perform_t3(foam, lens);
+  expect_valid(foam);
+  expect_area_on_target(foam);
+  EXPECT_TRUE(foam.has_film(remains));
+  EXPECT_FALSE(foam.has_film(goes));
+  EXPECT_EQ(foam.film_tension[remains], 1.99);
 }
 
 /// Performs operations at random, as many as there are T1s to do, and calls check after each.
@@ -444,14 +599,14 @@ public:
 
   void run(int t1s, const std::function<void(const Foam&)>& check) {
     for (int i = 0; i < t1s; ++i) {
-      const auto f = static_cast<Index>(random_() % Foam::size(foam_.film_capacity()));
+      const Film f(static_cast<Index>(random_() % place_of(foam_.film_slots().size())));
       if (!can_perform_t1(foam_, f)) {
         continue;
       }
       const auto parted = perform_t1(foam_, f);
       check(foam_);
-      for (const Index b : parted) {
-        if (b == kWorld || foam_.bubble_count() < 6) {
+      for (const Bubble b : parted) {
+        if (b.is_outside() || foam_.bubble_count() < 6) {
           continue;
         }
         if (can_perform_t3(foam_, b)) {
@@ -482,9 +637,9 @@ TEST_P(AnyBoundary, RandomOperationsKeepTheMeshValid) {
       RandomOperations operations(sample(GetParam(), n, seed), seed);
       operations.run(400, [](const Foam& foam) {
         ASSERT_TRUE(validate(foam).empty()) << validate(foam).front();
-        for (Index f = 0; f < foam.film_capacity(); ++f) {
-          ASSERT_TRUE(!foam.has_film(f) || (std::isfinite(norm(foam.chord(2 * f))) &&
-                                            std::abs(foam.half_angle(2 * f)) < kPi));
+        for (const Film f : foam.film_slots()) {
+          ASSERT_TRUE(!foam.has_film(f) || (std::isfinite(norm(foam.chord(f.half()))) &&
+                                            std::abs(foam.half_angle(f.half())) < kPi));
         }
       });
       t1 += operations.foam().t1_count;
@@ -497,10 +652,40 @@ TEST_P(AnyBoundary, RandomOperationsKeepTheMeshValid) {
   EXPECT_GT(t3, 20);
 }
 
+/// Tensions of 1.8 and, where no two of them meet, 0.8: two of these cannot hold one of those.
+void give_strong_and_weak_tensions(Foam& foam) {
+  foam.film_tension.assign(foam.film_angle.size(), 1.8);
+  Field<Junction, char> weak(foam.position.size(), 0);
+  for (const Film f : foam.film_slots()) {
+    char& at_start = weak[foam.start(f.half())];
+    char& at_end = weak[foam.end(f.half())];
+    if (at_start == 0 && at_end == 0) {
+      at_start = at_end = 1;
+      foam.film_tension[f] = 0.8;
+    }
+  }
+}
+
+TEST_P(AnyBoundary, RandomOperationsLeaveNoJunctionThatCannotHoldItsTensions) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Foam start = sample(GetParam(), 60, seed);
+    give_strong_and_weak_tensions(start);
+    RandomOperations operations(start, seed);
+    operations.run(400, [](const Foam& foam) {
+      ASSERT_TRUE(validate(foam).empty()) << validate(foam).front();
+      for (const Junction j : foam.junction_slots()) {
+        ASSERT_TRUE(!foam.moves(j) || can_balance(tensions_at(foam, j))) << j.index();
+      }
+    });
+    EXPECT_GT(operations.foam().t1_count, 50);
+    EXPECT_GT(operations.foam().t2_count + operations.foam().t3_count, 3);
+  }
+}
+
 TEST(Operations, OnATorusAreaAndGasAreConserved) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Foam start = sample(Boundary::Periodic, 50, seed);
-    const double box = start.box.width() * start.box.height();
+    const double box = start.surroundings.lattice.area();
     RandomOperations operations(start, seed);
     operations.run(300, [&](const Foam& foam) {
       ASSERT_NEAR(total_area(foam), box, 1e-9 * box);

@@ -53,8 +53,7 @@ inline double number(const std::map<std::string, std::string>& row, const std::s
 /// The periodic foam of 100 bubbles that Surface Evolver brought to equilibrium; line tension 1.
 inline FilmSet evolver_foam() {
   FilmSet set;
-  set.boundary = Boundary::Periodic;
-  set.box = {0, 10, 0, 10};
+  set.surroundings = {Boundary::Periodic, Lattice::rectangle(0, 10, 0, 10)};
   set.surface_tension = 0.5;
   for (const auto& row : read_csv("evolver-100/foam100_eq_vertices.csv")) {
     set.junctions.push_back({number(row, "x"), number(row, "y")});

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How an equilibrium moves while areas change (LagrangianSystem::response).
+// How an equilibrium moves while areas change (newton::FactorisingSolver::response).
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "coarsening/diffusion.h"
-#include "equilibrium/lagrangian_system.h"
+#include "equilibrium/factorising_solver.h"
 #include "foams.h"
+#include "physics/gas.h"
 
 namespace foam::test {
 namespace {
@@ -19,34 +20,33 @@ constexpr double kPermeability = 1;
 
 /// A step of the whole foam, by element.
 struct WholeRates {
-  WholeRates(const Foam& foam, const Region& region, const Step& step)
+  WholeRates(const Foam& foam, const Region& region, const newton::StepView& step)
       : junctions(foam.position.size()), angles(foam.film_angle.size()),
         pressures(foam.pressure.size()) {
-    for (std::size_t i = 0; i < region.junctions.size(); ++i) {
-      junctions[Foam::size(region.junctions[i])] = step.junctions[i];
+    for (const Junction j : region.junctions) {
+      junctions[j] = step.junction[j];
     }
-    for (std::size_t i = 0; i < region.films.size(); ++i) {
-      angles[Foam::size(region.films[i])] = step.angles[i];
+    for (const Film f : region.films) {
+      angles[f] = step.angle[f];
     }
-    for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
-      pressures[Foam::size(region.bubbles[i])] = step.pressures[i];
+    for (const Bubble b : region.bubbles) {
+      pressures[b] = step.pressure[b];
     }
   }
   Rates view() const { return {junctions, angles, pressures}; }
 
-  std::vector<Vec2> junctions;
-  std::vector<double> angles;
-  std::vector<double> pressures;
+  Field<Junction, Vec2> junctions;
+  Field<Film, double> angles;
+  Field<Bubble, double> pressures;
 };
 
-WholeRates whole_response(const Foam& foam, const std::vector<double>& area_rate) {
-  LagrangianSystem system;
-  system.set_up(foam, whole_foam(foam));
-  system.evaluate(foam);
-  EXPECT_TRUE(system.factorise(foam, foam.bubble_capacity()));
-  const Step* step = system.response(foam, area_rate, {}, LagrangianSystem::kAnyDrift);
+/// Without a factorisation to begin with, the matrix at hand is factorised and solved once.
+WholeRates whole_response(const Foam& foam, const Field<Bubble, double>& area_rate) {
+  newton::FactorisingSolver solver;
+  solver.set_up(foam, whole_foam(foam));
+  const newton::StepView* step = solver.response(foam, area_rate, {}, 0);
   EXPECT_NE(step, nullptr);
-  return {foam, system.region(), *step};
+  return {foam, solver.region(), *step};
 }
 
 class Response : public testing::TestWithParam<Boundary> {};
@@ -55,12 +55,12 @@ class Response : public testing::TestWithParam<Boundary> {};
 TEST_P(Response, IsTheEquilibriumsDerivative) {
   Foam foam = random_foam(40, GetParam());
   equilibrate(foam, 1e-13);
-  const std::vector<double> area_rate = area_rates(foam, kPermeability);
+  const Field<Bubble, double> area_rate = area_rates(foam, kPermeability);
   const WholeRates rates = whole_response(foam, area_rate);
   const double dt = 1e-5;
   const auto later = [&](double time) {
     Foam moved = foam;
-    for (std::size_t b = 0; b < area_rate.size(); ++b) {
+    for (const Bubble b : moved.bubble_slots()) {
       moved.target_area[b] += time * area_rate[b];
     }
     equilibrate(moved, 1e-13);
@@ -71,18 +71,19 @@ TEST_P(Response, IsTheEquilibriumsDerivative) {
   const Foam before = later(-dt);
   double largest = 0;
   double difference = 0;
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    if (foam.wall(2 * f)) {
+  for (const Film f : foam.film_slots()) {
+    const Half h = f.half();
+    if (foam.wall(h)) {
       continue;
     }
-    const double found = (norm(after.chord(2 * f)) - norm(before.chord(2 * f))) / (2 * dt);
-    const Vec2 along = (1 / norm(foam.chord(2 * f))) * foam.chord(2 * f);
-    const double expected = dot(along, rates.junctions[Foam::size(foam.end(2 * f))] -
-                                           rates.junctions[Foam::size(foam.start(2 * f))]);
+    const double found = (norm(after.chord(h)) - norm(before.chord(h))) / (2 * dt);
+    const Vec2 along = (1 / norm(foam.chord(h))) * foam.chord(h);
+    const double expected =
+        dot(along, rates.junctions[foam.end(h)] - rates.junctions[foam.start(h)]);
     largest = std::max(largest, std::abs(found));
     difference = std::max(difference, std::abs(found - expected));
-    const double turned = (after.half_angle(2 * f) - before.half_angle(2 * f)) / (2 * dt);
-    EXPECT_NEAR(rates.angles[Foam::size(f)], turned, 1e-4 * (1 + std::abs(turned)));
+    const double turned = (after.half_angle(h) - before.half_angle(h)) / (2 * dt);
+    EXPECT_NEAR(rates.angles[f], turned, 1e-4 * (1 + std::abs(turned)));
   }
   EXPECT_GT(largest, 0);
   EXPECT_LT(difference, 1e-4 * largest);
@@ -92,30 +93,25 @@ TEST_P(Response, IsTheEquilibriumsDerivative) {
 /// taken to be at rest does not.
 TEST_P(Response, OfAPatchIsThatOfItsSurroundings) {
   const Foam foam = random_foam(200, GetParam());
-  const std::vector<double> area_rate = area_rates(foam, kPermeability);
+  const Field<Bubble, double> area_rate = area_rates(foam, kPermeability);
   const WholeRates rates = whole_response(foam, area_rate);
-  LagrangianSystem system;
-  system.set_up(foam, patch(foam, std::vector<Index>{100}, 2));
-  system.evaluate(foam);
-  ASSERT_TRUE(system.factorise(foam, foam.bubble_capacity()));
-  const Region& region = system.region();
+  newton::FactorisingSolver solver;
+  solver.set_up(foam, patch(foam, std::array{Bubble(100)}, 2));
+  const Region& region = solver.region();
   ASSERT_LT(region.bubbles.size(), 100U);
   const auto differences = [&](const Rates& around) {
-    const Step* step = system.response(foam, area_rate, around, LagrangianSystem::kAnyDrift);
+    const newton::StepView* step = solver.response(foam, area_rate, around, 1e-12);
     double junctions = 0;
-    for (std::size_t i = 0; i < region.junctions.size(); ++i) {
-      const Vec2 other = rates.junctions[Foam::size(region.junctions[i])];
-      junctions = std::max(junctions, norm(step->junctions[i] - other));
+    for (const Junction j : region.junctions) {
+      junctions = std::max(junctions, norm(step->junction[j] - rates.junctions[j]));
     }
     double angles = 0;
-    for (std::size_t i = 0; i < region.films.size(); ++i) {
-      const double other = rates.angles[Foam::size(region.films[i])];
-      angles = std::max(angles, std::abs(step->angles[i] - other));
+    for (const Film f : region.films) {
+      angles = std::max(angles, std::abs(step->angle[f] - rates.angles[f]));
     }
     double pressures = 0;
-    for (std::size_t i = 0; i < region.bubbles.size(); ++i) {
-      const double other = rates.pressures[Foam::size(region.bubbles[i])];
-      pressures = std::max(pressures, std::abs(step->pressures[i] - other));
+    for (const Bubble b : region.bubbles) {
+      pressures = std::max(pressures, std::abs(step->pressure[b] - rates.pressures[b]));
     }
     return std::max({junctions, angles, pressures});
   };
@@ -127,28 +123,26 @@ TEST_P(Response, OfAPatchIsThatOfItsSurroundings) {
 /// With what the iteration begins does not matter.
 TEST_P(Response, IsTheSameFromWhateverIsExpected) {
   const Foam foam = random_foam(60, GetParam());
-  const std::vector<double> area_rate = area_rates(foam, kPermeability);
+  const Field<Bubble, double> area_rate = area_rates(foam, kPermeability);
   const WholeRates rates = whole_response(foam, area_rate);
   WholeRates wrong = rates;
-  for (std::size_t f = 0; f < wrong.angles.size(); ++f) {
-    wrong.angles[f] *= 0.7;
+  for (double& angle : wrong.angles) {
+    angle *= 0.7;
   }
-  for (std::size_t j = 0; j < wrong.junctions.size(); ++j) {
-    wrong.junctions[j] = 1.3 * wrong.junctions[j];
+  for (Vec2& junction : wrong.junctions) {
+    junction = 1.3 * junction;
   }
-  LagrangianSystem system;
-  system.set_up(foam, whole_foam(foam));
-  system.evaluate(foam);
-  ASSERT_TRUE(system.factorise(foam, foam.bubble_capacity()));
+  newton::FactorisingSolver solver;
+  solver.set_up(foam, whole_foam(foam));
+  ASSERT_NE(solver.response(foam, area_rate, {}, 0), nullptr); // which leaves a factorisation
   const double drift = 1e-9;
-  const Step* step = system.response(foam, area_rate, wrong.view(), drift);
+  const newton::StepView* step = solver.response(foam, area_rate, wrong.view(), drift);
   ASSERT_NE(step, nullptr);
   double largest = 0;
   double difference = 0;
-  for (std::size_t i = 0; i < system.region().films.size(); ++i) {
-    const double expected = rates.angles[Foam::size(system.region().films[i])];
-    largest = std::max(largest, std::abs(expected));
-    difference = std::max(difference, std::abs(step->angles[i] - expected));
+  for (const Film f : solver.region().films) {
+    largest = std::max(largest, std::abs(rates.angles[f]));
+    difference = std::max(difference, std::abs(step->angle[f] - rates.angles[f]));
   }
   EXPECT_GT(largest, 0);
   EXPECT_LT(difference, 1e-6 * largest);

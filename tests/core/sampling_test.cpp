@@ -64,10 +64,11 @@ double polygon_area(const std::vector<Vec2>& outline) {
 Foam coarsened_foam(Boundary boundary) {
   Foam foam = test::random_foam(60, boundary);
   int removed = 0;
-  for (Index f = 0; f < foam.film_capacity() && removed < 3; ++f) {
-    for (const Index h : {2 * f, 2 * f + 1}) {
-      const Index bubble = foam.has_film(f) ? foam.left(h) : kWorld;
-      if (bubble != kWorld && foam.sides[Foam::size(bubble)] == 4 && can_perform_t1(foam, f)) {
+  for (const Half h : foam.half_slots()) {
+    const Film f = h.film();
+    if (removed < 3 && foam.has_film(f)) {
+      const Bubble bubble = foam.left(h);
+      if (!bubble.is_outside() && foam.sides[bubble] == 4 && can_perform_t1(foam, f)) {
         perform_t1(foam, f);
         if (can_perform_t2(foam, bubble)) {
           perform_t2(foam, bubble);
@@ -107,8 +108,8 @@ TEST_P(Sampling, FilmsAreTheFoamsFilms) {
     EXPECT_EQ(films.half_angle[f], film.half_angle);
     EXPECT_EQ(films.on_boundary[f], film.left == -1 || film.right == -1);
     const auto line = polyline(films, f);
-    EXPECT_EQ(line.front(), set.junctions[Foam::size(film.start)]) << "exactly";
-    EXPECT_EQ(line.back(), set.junctions[Foam::size(film.end)] + foam.period(film.wrap));
+    EXPECT_EQ(line.front(), set.junctions[film.start]) << "exactly";
+    EXPECT_EQ(line.back(), set.junctions[film.end] + foam.surroundings.lattice.period(film.wrap));
   }
   std::set<std::int64_t> used(films.connectivity.begin(), films.connectivity.end());
   EXPECT_EQ(used.size(), films.points.size()) << "no point belongs to no film";
@@ -155,7 +156,7 @@ TEST_P(Sampling, BubblesArePolygonsInOrderOfTheirIds) {
   const SampledFoam sampled = sample(foam, 1e-5);
   const BubblePolygons& bubbles = sampled.bubbles;
   ASSERT_EQ(bubbles.offsets.size(), bubbles.each.size() + 1);
-  ASSERT_EQ(Foam::size(foam.bubble_count()), bubbles.each.size());
+  ASSERT_EQ(place_of(foam.bubble_count()), bubbles.each.size());
   EXPECT_TRUE(std::ranges::is_sorted(bubbles.each, {}, &BubbleStatistics::id));
   EXPECT_EQ(bubbles.offsets.back(), static_cast<std::int64_t>(bubbles.points.size()));
   for (std::size_t b = 0; b < bubbles.each.size(); ++b) {
@@ -168,7 +169,7 @@ TEST_P(Sampling, BubblesArePolygonsInOrderOfTheirIds) {
     }
     EXPECT_NEAR(perimeter, bubble.perimeter, 1e-3 * bubble.perimeter);
     // Every vertex is a point of a film, a whole number of periods away.
-    if (foam.boundary != Boundary::Periodic) {
+    if (!foam.surroundings.periodic()) {
       for (const Vec2 p : outline) {
         EXPECT_TRUE(std::ranges::any_of(
             sampled.films.points, [&](const Point3& q) { return norm(flat(q) - p) < 1e-12; }));
@@ -227,7 +228,7 @@ TEST(SampledFoam, TakesATwoHundredthOfTheSpacingForTheErrorByItself) {
   EXPECT_NE(sample(foam, 0).films.points, sample(foam, 1.0 / 100).films.points);
 }
 
-TEST(SampledFoam, BubblesOfATorusAreInOnePieceWithTheirCentroidsInTheBox) {
+TEST(SampledFoam, BubblesOfATorusAreInOnePieceWithTheirCentroidsInTheCell) {
   const Foam foam = honeycomb(4, 2);
   const BubblePolygons bubbles = sample(foam, 0.01).bubbles;
   for (std::size_t b = 0; b < bubbles.each.size(); ++b) {
@@ -239,11 +240,35 @@ TEST(SampledFoam, BubblesOfATorusAreInOnePieceWithTheirCentroidsInTheBox) {
       EXPECT_NEAR(norm(outline[(i + 1) % 6] - outline[i]), 1 / std::sqrt(3.0), 1e-13);
       centre += (1.0 / 6) * outline[i];
     }
-    EXPECT_GE(centre.x, foam.box.xmin);
-    EXPECT_LT(centre.x, foam.box.xmax);
-    EXPECT_GE(centre.y, foam.box.ymin);
-    EXPECT_LT(centre.y, foam.box.ymax);
+    EXPECT_EQ(foam.surroundings.lattice.cell_of(centre), Wrap{});
   }
+}
+
+TEST(SampledFoam, BubblesOfASkewedTorusHaveTheirCentroidsInItsCell) {
+  BuildOptions options;
+  options.boundary = Boundary::Periodic;
+  for (const Lattice& torus :
+       {Lattice{{-1, 2}, {7, 1}, {-3, 6}}, Lattice{{0, 0}, {7, 0}, {26, 7}}}) {
+    options.torus = torus;
+    const Foam foam = build_from_points(jittered_grid(49, 1, 1, 1), options);
+    const BubblePolygons bubbles = sample(foam, 0.01).bubbles;
+    ASSERT_EQ(bubbles.each.size(), 49u);
+    for (std::size_t b = 0; b < bubbles.each.size(); ++b) {
+      const auto outline = polygon(bubbles, b);
+      EXPECT_NEAR(polygon_area(outline), bubbles.each[b].area, 1e-12);
+      const Polygon whole{outline.data(), static_cast<Index>(outline.size()), 0};
+      EXPECT_EQ(torus.cell_of(centroid(whole)), Wrap{});
+    }
+  }
+}
+
+TEST(SampledFoam, FilmsHaveTheirTensions) {
+  FilmSet set = film_set(halved_disc());
+  EXPECT_TRUE(sample(foam_of(set), 0.1).films.tension.empty()) << "all have 2γ";
+  set.tensions = {0.25, 0.5, 0.625};
+  const SampledFoam sampled = sample(foam_of(set), 0.1);
+  EXPECT_EQ(sampled.films.tension, set.tensions);
+  EXPECT_NEAR(sampled.energy, 0.25 * 2 + (0.5 + 0.625) * kPi, 1e-14);
 }
 
 /// A quadrilateral with a reflex corner is covered by the fan around that corner alone, or the one

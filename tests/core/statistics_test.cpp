@@ -58,7 +58,7 @@ TEST(Statistics, OneSwapInAHoneycomb) {
   // Two bubbles have five sides and neighbours of 7, 7, 6, 6, 6; two have seven, and neighbours of
   // 5, 5, 7, 6, 6, 6, 6. The line through n·m(n) = 32, 36 + 2/(N − 4), 41 rises by 4.5 per side.
   Foam foam = honeycomb(8, 4);
-  perform_t1(foam, 100);
+  perform_t1(foam, Film(100));
   const auto s = statistics(foam, false);
   EXPECT_EQ(s.mean_sides, 6);
   EXPECT_DOUBLE_EQ(s.mu2, 4.0 / 64);
@@ -74,7 +74,7 @@ TEST(Statistics, OneSwapInAHoneycomb) {
 TEST(Statistics, SumRulesOfATorus) {
   BuildOptions options;
   options.boundary = Boundary::Periodic;
-  options.periodic_box = Box{0, 20, 0, 20};
+  options.torus = Lattice::rectangle(0, 20, 0, 20);
   const Foam foam = build_from_points(jittered_grid(400, 1, 1, 1), options);
   const auto s = statistics(foam, false);
   EXPECT_EQ(s.mean_sides, 6) << "Euler";
@@ -104,13 +104,13 @@ TEST(Statistics, BoundaryCountsOnlyWhenAskedFor) {
   EXPECT_EQ(inner.bubbles, 1);
   EXPECT_EQ(inner.mean_sides, 6);
   ASSERT_EQ(inner.by_sides.size(), 1u);
-  EXPECT_EQ(inner.by_sides[0].mean_neighbour_sides, 4) << "bubbles on the world are neighbours";
+  EXPECT_EQ(inner.by_sides[0].mean_neighbour_sides, 4) << "bubbles on the outside are neighbours";
 
   const auto all = statistics(foam, true);
   EXPECT_EQ(all.bubbles, 7);
   EXPECT_DOUBLE_EQ(all.mean_sides, 30.0 / 7);
   EXPECT_DOUBLE_EQ(all.mu2, 24.0 / 7);
-  EXPECT_NEAR(with_sides(all, 4).mean_neighbour_sides, 14.0 / 3, 1e-14) << "the world is none";
+  EXPECT_NEAR(with_sides(all, 4).mean_neighbour_sides, 14.0 / 3, 1e-14) << "the outside is none";
   EXPECT_NEAR(all.aboav, 6 - (24 - 4 * 14.0 / 3) / 2, 1e-12) << "a line through two points";
 
   for (const auto* s : {&inner, &all}) {
@@ -118,6 +118,21 @@ TEST(Statistics, BoundaryCountsOnlyWhenAskedFor) {
     EXPECT_FALSE(s->each[0].on_boundary);
     EXPECT_TRUE(s->each[1].on_boundary);
     EXPECT_EQ(s->energy, foam.energy());
+  }
+}
+
+TEST(Statistics, EnergyIsThatOfTheFilmsOwnTensions) {
+  for (const Boundary boundary : {Boundary::Free, Boundary::Fixed}) {
+    BuildOptions options;
+    options.boundary = boundary;
+    Foam foam = build_from_points(jittered_grid(30, 1, 1, 1), options);
+    double energy = 0;
+    for (const Film f : foam.film_slots()) {
+      foam.film_tension.push_back(0.5 + 0.01 * (f.index() % 11));
+      energy += foam.wall(f.half()) ? 0 : foam.film_tension[f] * foam.length(f.half());
+    }
+    EXPECT_NEAR(statistics(foam, false).energy, energy, 1e-12 * energy);
+    EXPECT_EQ(statistics(foam, false).energy, foam.energy());
   }
 }
 
@@ -135,11 +150,11 @@ TEST(Statistics, NoBubbleInside) {
 TEST(Statistics, VanishedBubblesAreLeftOutAndTheRestIsSortedById) {
   Foam foam = flower();
   std::ranges::reverse(foam.bubble_id);
-  const Index gone = 3;
+  const Bubble gone(3);
   // The flower's petals have four sides; one swap makes a petal three-sided.
-  for (Index f = 0; f < foam.film_capacity(); ++f) {
-    const bool of_petal = foam.left(2 * f) == gone || foam.right(2 * f) == gone;
-    if (of_petal && !foam.on_world(2 * f) && can_perform_t1(foam, f)) {
+  for (const Film f : foam.film_slots()) {
+    const bool of_petal = foam.left(f.half()) == gone || foam.right(f.half()) == gone;
+    if (of_petal && !foam.on_outside(f.half()) && can_perform_t1(foam, f)) {
       perform_t1(foam, f);
       break;
     }
@@ -175,12 +190,12 @@ TEST(Statistics, DoNotDependOnTheNumberOfThreads) {
 TEST(Statistics, OfADisorderedFoam) {
   const Foam foam = build_from_points(jittered_grid(300, 1, 1, 2), {});
   const auto s = statistics(foam, false);
-  std::map<Index, std::vector<Index>> with;
+  std::map<Index, std::vector<Bubble>> with;
   double area = 0;
   double area_squared = 0;
-  for (Index b = 0; b < foam.bubble_capacity(); ++b) {
-    if (!foam.bubble_on_world(b)) {
-      with[foam.sides[Foam::size(b)]].push_back(b);
+  for (const Bubble b : foam.bubble_slots()) {
+    if (!foam.bubble_on_outside(b)) {
+      with[foam.sides[b]].push_back(b);
       area += foam.area(b) / s.bubbles;
       area_squared += foam.area(b) * foam.area(b) / s.bubbles;
     }
@@ -189,14 +204,14 @@ TEST(Statistics, OfADisorderedFoam) {
   EXPECT_NEAR(s.area_second_moment, area_squared / (area * area), 1e-12);
   ASSERT_EQ(s.by_sides.size(), with.size());
   for (const auto& row : s.by_sides) {
-    const std::vector<Index>& bubbles = with.at(row.sides);
+    const std::vector<Bubble>& bubbles = with.at(row.sides);
     EXPECT_EQ(row.count, static_cast<Index>(bubbles.size()));
     double neighbours = 0;
     double own_area = 0;
-    for (const Index b : bubbles) {
+    for (const Bubble b : bubbles) {
       own_area += foam.area(b);
-      for_each_half(foam, b, [&](Index h) { // inside: all its neighbours are bubbles
-        neighbours += static_cast<double>(foam.sides[Foam::size(foam.right(h))]) / row.sides;
+      for_each_half(foam, b, [&](Half h) { // inside: all its neighbours are bubbles
+        neighbours += static_cast<double>(foam.sides[foam.right(h)]) / row.sides;
       });
     }
     EXPECT_NEAR(row.mean_neighbour_sides, neighbours / row.count, 1e-12);

@@ -29,39 +29,49 @@ struct Damage {
 const std::vector<Damage>& damages() {
   static const std::vector<Damage> list = {
       {"bubble's half-film of another bubble",
-       [](Foam& f) { f.bubble_half[3] = f.bubble_half[4]; }},
-      {"bubble's half-film out of range", [](Foam& f) { f.bubble_half[3] = 10000; }},
-      {"bubble gone, films left", [](Foam& f) { f.bubble_half[3] = kNone; }},
-      {"wrong number of sides", [](Foam& f) { f.sides[5] += 1; }},
+       [](Foam& f) { f.bubble_half[Bubble(3)] = f.bubble_half[Bubble(4)]; }},
+      {"bubble's half-film out of range", [](Foam& f) { f.bubble_half[Bubble(3)] = Half(10000); }},
+      {"bubble gone, films left", [](Foam& f) { f.bubble_half[Bubble(3)] = kNone; }},
+      {"wrong number of sides", [](Foam& f) { f.sides[Bubble(5)] += 1; }},
       {"sides too short", [](Foam& f) { f.sides.pop_back(); }},
       {"pressure too short", [](Foam& f) { f.pressure.pop_back(); }},
       {"target area too long", [](Foam& f) { f.target_area.push_back(1); }},
       {"ids too short", [](Foam& f) { f.bubble_id.pop_back(); }},
-      {"half-film of another junction", [](Foam& f) { f.half_junction[8] = f.half_junction[9]; }},
-      {"half-film's junction out of range", [](Foam& f) { f.half_junction[8] = 10000; }},
-      {"half-film's junction far below zero", [](Foam& f) { f.half_junction[8] = -7; }},
-      {"half a film gone", [](Foam& f) { f.half_junction[8] = kNone; }},
+      {"half-film of another junction",
+       [](Foam& f) { f.half_junction[Half(8)] = f.half_junction[Half(9)]; }},
+      {"half-film's junction out of range",
+       [](Foam& f) { f.half_junction[Half(8)] = Junction(10000); }},
+      {"half-film's junction far below zero",
+       [](Foam& f) { f.half_junction[Half(8)] = Junction(-7); }},
+      {"half a film gone", [](Foam& f) { f.half_junction[Half(8)] = kNone; }},
       {"film gone, junctions left",
-       [](Foam& f) { f.half_junction[8] = f.half_junction[9] = kNone; }},
+       [](Foam& f) { f.half_junction[Half(8)] = f.half_junction[Half(9)] = kNone; }},
       {"half-films' junctions too short", [](Foam& f) { f.half_junction.pop_back(); }},
       {"bubbles along a film exchanged",
-       [](Foam& f) { std::swap(f.half_bubble[8], f.half_bubble[9]); }},
-      {"half-film's bubble out of range", [](Foam& f) { f.half_bubble[8] = 10000; }},
-      {"half-film's bubble far below zero", [](Foam& f) { f.half_bubble[8] = -7; }},
+       [](Foam& f) { std::swap(f.half_bubble[Half(8)], f.half_bubble[Half(9)]); }},
+      {"half-film's bubble out of range", [](Foam& f) { f.half_bubble[Half(8)] = Bubble(10000); }},
+      {"half-film's bubble far below zero", [](Foam& f) { f.half_bubble[Half(8)] = Bubble(-7); }},
+      {"half-film beside an outside that there is not",
+       [](Foam& f) { f.half_bubble[Half(8)] = Bubble(Outside(1)); }},
       {"half-films' bubbles too short", [](Foam& f) { f.half_bubble.pop_back(); }},
       {"film angles too short", [](Foam& f) { f.film_angle.pop_back(); }},
+      {"fewer tensions than films", [](Foam& f) { f.film_tension.assign(3, 0.5); }},
       {"wraps too short", [](Foam& f) { f.film_wrap.pop_back(); }},
-      {"film wrapped around the torus", [](Foam& f) { f.film_wrap[4].y += 1; }},
+      {"film wrapped around the torus", [](Foam& f) { f.film_wrap[Film(4)].y += 1; }},
       {"positions too short", [](Foam& f) { f.position.pop_back(); }},
       {"clockwise junction",
-       [](Foam& f) { std::swap(f.junction_half[6][0], f.junction_half[6][1]); }},
+       [](Foam& f) {
+         std::swap(f.junction_half[Junction(6)][0], f.junction_half[Junction(6)][1]);
+       }},
       {"half-film twice in a junction",
-       [](Foam& f) { f.junction_half[6][0] = f.junction_half[6][1]; }},
-      {"junction with a half-film out of range", [](Foam& f) { f.junction_half[6][2] = 10000; }},
-      {"junction with a half-film below zero", [](Foam& f) { f.junction_half[6][2] = -7; }},
+       [](Foam& f) { f.junction_half[Junction(6)][0] = f.junction_half[Junction(6)][1]; }},
+      {"junction with a half-film out of range",
+       [](Foam& f) { f.junction_half[Junction(6)][2] = Half(10000); }},
+      {"junction with a half-film below zero",
+       [](Foam& f) { f.junction_half[Junction(6)][2] = Half(-7); }},
       {"junction gone, films left",
        [](Foam& f) {
-         f.junction_half[6] = {kNone, kNone, kNone};
+         f.junction_half[Junction(6)] = {kNone, kNone, kNone};
        }},
       {"junctions too short", [](Foam& f) { f.junction_half.pop_back(); }},
   };
@@ -90,25 +100,27 @@ TEST_P(AnyBoundary, SurvivesRandomDamage) {
   const Foam valid = sample(GetParam());
   std::mt19937 random(1);
   const auto value = [&]() { return static_cast<Index>(random() % 80) - 3; };
-  const auto place = [&](const auto& array) { return random() % array.size(); };
+  const auto any = [&]<class Element, class T>(Field<Element, T>& field) -> T& {
+    return field[Element(static_cast<Index>(random() % field.size()))];
+  };
   for (int trial = 0; trial < 5000; ++trial) {
     Foam foam = valid;
     for (unsigned n = random() % 4; n-- > 0;) {
       switch (random() % 5) {
       case 0:
-        foam.bubble_half[place(foam.bubble_half)] = value();
+        any(foam.bubble_half) = Half(value());
         break;
       case 1:
-        foam.half_junction[place(foam.half_junction)] = value();
+        any(foam.half_junction) = Junction(value());
         break;
       case 2:
-        foam.half_bubble[place(foam.half_bubble)] = value();
+        any(foam.half_bubble) = Bubble(value());
         break;
       case 3:
-        foam.junction_half[place(foam.junction_half)][random() % 3] = value();
+        any(foam.junction_half)[random() % 3] = Half(value());
         break;
       default:
-        foam.sides[place(foam.sides)] = value();
+        any(foam.sides) = value();
       }
     }
     validate(foam);
@@ -117,8 +129,7 @@ TEST_P(AnyBoundary, SurvivesRandomDamage) {
 
 TEST(Validate, APlaneIsNoTorus) {
   Foam foam = sample(Boundary::Free);
-  foam.boundary = Boundary::Periodic;
-  foam.box = {0, 10, 0, 10};
+  foam.surroundings = {Boundary::Periodic, Lattice::rectangle(0, 10, 0, 10)};
   EXPECT_FALSE(validate(foam).empty());
 }
 
@@ -141,13 +152,13 @@ TEST(Validate, ABubbleOfTwoLoopsIsReported) {
 TEST(ValidateGeometry, ReportsFilmsOutOfOrder) {
   Foam foam = honeycomb(4, 2);
   EXPECT_TRUE(validate_geometry(foam).empty());
-  foam.film_angle[5] = 2.5; // turns the film's ends past their neighbours
+  foam.film_angle[Film(5)] = 2.5; // turns the film's ends past their neighbours
   EXPECT_FALSE(validate_geometry(foam).empty());
 }
 
 TEST(ValidateGeometry, ReportsABubbleInsideOut) {
   Foam foam = honeycomb(4, 2);
-  for_each_half(foam, 3, [&](Index h) { foam.set_half_angle(h, -2); });
+  for_each_half(foam, Bubble(3), [&](Half h) { foam.set_half_angle(h, -2); });
   const auto problems = validate_geometry(foam);
   EXPECT_TRUE(std::ranges::any_of(
       problems, [](const auto& p) { return p.find("the area of bubble 3 is -") == 0; }));
@@ -155,7 +166,7 @@ TEST(ValidateGeometry, ReportsABubbleInsideOut) {
 
 TEST(ValidateGeometry, ReportsAPlaceThatIsNoNumber) {
   Foam foam = honeycomb(4, 2);
-  foam.position[2].x = std::numeric_limits<double>::quiet_NaN();
+  foam.position[Junction(2)].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(validate_geometry(foam).empty());
 }
 

@@ -11,7 +11,7 @@
 #include "algebra/device_direct_solver.h"
 #include "base/error.h"
 #include "construct/honeycomb.h"
-#include "equilibrium/parallel_newton.h"
+#include "equilibrium/machine_newton.h"
 #include "mesh/device_foam.h"
 #include "mesh/validate.h"
 #include "parallel/gpu.cuh"
@@ -35,7 +35,7 @@ Found equilibrate(std::unique_ptr<DirectSolver> direct, double t1_length) {
   EquilibratorOptions options;
   options.tolerance = 1e-11;
   Gpu gpu;
-  const newton::NewtonResult result = newton::ParallelNewton<Gpu>(gpu, options, std::move(direct))
+  const newton::NewtonResult result = newton::MachineNewton<Gpu>(gpu, options, std::move(direct))
                                           .equilibrate(device.view(), t1_length, {});
   device.download(foam);
   EXPECT_TRUE(result.report.converged);
@@ -45,8 +45,8 @@ Found equilibrate(std::unique_ptr<DirectSolver> direct, double t1_length) {
 
 void expect_same_lengths(const Foam& a, const Foam& b) {
   EXPECT_TRUE(a.half_junction == b.half_junction);
-  for (Index f = 0; f < a.film_capacity(); ++f) {
-    EXPECT_NEAR(a.length(2 * f), b.length(2 * f), 1e-9);
+  for (const Film f : a.film_slots()) {
+    EXPECT_NEAR(a.length(f.half()), b.length(f.half()), 1e-9);
   }
 }
 

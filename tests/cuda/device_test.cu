@@ -12,13 +12,13 @@
 #include <memory>
 #include <vector>
 
+#include "../newton_on_host.h"
 #include "../two_sided_bubbles.h"
 #include "algebra/device_direct_solver.h"
 #include "coarsening/coarsening.h"
 #include "construct/honeycomb.h"
 #include "engines/engines.h"
 #include "equilibrium/compressed_matrix.h"
-#include "equilibrium/krylov_equilibrator.h"
 #include "mesh/device_foam.h"
 #include "mesh/film_set.h"
 #include "mesh/validate.h"
@@ -42,9 +42,32 @@ Foam disordered(Index columns = 40) {
   return honeycomb({.columns = columns, .rows = columns, .displacement = 0.1, .swaps = 0.2});
 }
 
+/// On a torus that is no rectangle, with films that have tensions of their own.
+Foam uneven(Index columns = 40) {
+  Foam foam = disordered(columns);
+  const auto sheared = [](Vec2 p) { return Vec2{p.x + 0.2 * p.y, p.y}; };
+  std::ranges::transform(foam.position, foam.position.begin(), sheared);
+  auto& [origin, first, second] = foam.surroundings.lattice;
+  foam.surroundings.lattice = {sheared(origin), sheared(first), sheared(second)};
+  foam.film_tension.resize(foam.film_angle.size());
+  for (const Film f : foam.film_slots()) {
+    foam.film_tension[f] = foam.reference_tension() * (1 + 0.02 * (7 * f.index() % 11 - 5));
+  }
+  return foam;
+}
+
 /// Thresholds at which many films and bubbles of such a foam give way.
 ThesisRules coarse_rules(TwoSidedBubbles two_sided = TwoSidedBubbles::Remove) {
   return {.limit = {.t1_length = 0.5, .t2_area = 0.8}, .two_sided_bubbles = two_sided};
+}
+
+CollapseBids<ThesisRules> collapse_bids(std::uint8_t* swappable) {
+  return {coarse_rules(), FieldView<Film, std::uint8_t>(swappable)};
+}
+
+SlideBids slide_bids(std::uint8_t* waiting) {
+  return {coarse_rules(TwoSidedBubbles::Slide).two_sided(),
+          FieldView<Bubble, std::uint8_t>(waiting)};
 }
 
 void expect_same_topology(const Foam& a, const Foam& b) {
@@ -107,7 +130,7 @@ void arrays() {
   std::vector<std::int64_t> fetched;
   squares.download(fetched);
   for (Index i = 0; i < n; ++i) {
-    EXPECT_EQ(fetched[Foam::size(i)], Square{}(i));
+    EXPECT_EQ(fetched[place_of(i)], Square{}(i));
   }
   DeviceArray<std::int64_t> copy;
   copy.copy_from(squares);
@@ -115,14 +138,16 @@ void arrays() {
   copy.download(fetched_copy);
   EXPECT_TRUE(fetched_copy == fetched);
 
-  const Foam foam = disordered();
-  DeviceFoam device;
-  device.upload(foam);
-  Foam back = disordered(4);
-  device.download(back);
-  expect_same_topology(back, foam);
-  EXPECT_TRUE(back.position == foam.position);
-  EXPECT_TRUE(back.target_area == foam.target_area);
+  for (const Foam& foam : {uneven(), disordered()}) {
+    DeviceFoam device;
+    device.upload(foam);
+    Foam back = uneven(4);
+    device.download(back);
+    for_each_array([](const auto& here, const auto& there) { EXPECT_TRUE(here == there); }, foam,
+                   back);
+    EXPECT_TRUE(device.view().surroundings == foam.surroundings);
+    EXPECT_EQ(device.view().has_uniform_tension(), foam.has_uniform_tension());
+  }
 }
 
 void sorting() {
@@ -164,14 +189,14 @@ void update_order() {
   thesis::UpdateOrder<Gpu> on_gpu(gpu);
   thesis::UpdateOrder<Host> on_host(host);
   for (const int reach : {0, 1, 2}) {
-    on_gpu.find(device.view(), reach);
-    on_host.find(view_of(foam), reach);
+    on_gpu.find(const_view(device.view()), reach);
+    on_host.find(const_view(view_of(foam)), reach);
     EXPECT_EQ(on_gpu.waves(), on_host.waves());
     std::vector<Index> waves(foam.position.size());
-    cuda::check(cudaMemcpy(waves.data(), on_gpu.wave(), waves.size() * sizeof(Index),
+    cuda::check(cudaMemcpy(waves.data(), on_gpu.wave().data(), waves.size() * sizeof(Index),
                            cudaMemcpyDeviceToHost),
                 "cudaMemcpy");
-    EXPECT_TRUE(std::equal(waves.begin(), waves.end(), on_host.wave()));
+    EXPECT_TRUE(std::equal(waves.begin(), waves.end(), on_host.wave().data()));
   }
 }
 
@@ -213,9 +238,9 @@ void bidding() {
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
   DeviceArray<std::uint8_t> swappable_there(swappable);
   const OperationCount there =
-      Bidding<Gpu>(gpu).run(device.view(), CollapseBids{coarse_rules(), swappable_there.data()});
+      Bidding<Gpu>(gpu).run(device.view(), collapse_bids(swappable_there.data()));
   const OperationCount here =
-      Bidding<Host>(host).run(view_of(foam), CollapseBids{coarse_rules(), swappable.data()});
+      Bidding<Host>(host).run(view_of(foam), collapse_bids(swappable.data()));
   EXPECT_GT(here.t1, 100);
   EXPECT_EQ(there.t1, here.t1);
   EXPECT_EQ(there.t2, here.t2);
@@ -234,13 +259,10 @@ void sliding() {
   device.upload(foam);
   Gpu gpu;
   Host host;
-  const ThesisRules rules = coarse_rules(TwoSidedBubbles::Slide);
   std::vector<std::uint8_t> waiting(foam.bubble_half.size(), 1);
   DeviceArray<std::uint8_t> waiting_there(waiting);
-  const auto there =
-      Bidding<Gpu>(gpu).run(device.view(), SlideBids{rules.two_sided(), waiting_there.data()});
-  const auto here =
-      Bidding<Host>(host).run(view_of(foam), SlideBids{rules.two_sided(), waiting.data()});
+  const auto there = Bidding<Gpu>(gpu).run(device.view(), slide_bids(waiting_there.data()));
+  const auto here = Bidding<Host>(host).run(view_of(foam), slide_bids(waiting.data()));
   EXPECT_GT(here.count, 10);
   EXPECT_EQ(there.count, here.count);
   Foam fetched = foam;
@@ -385,6 +407,19 @@ void sampling() {
   }
 }
 
+void sampling_of_tensions() {
+  CoarseningOptions options = options_on(Device::CUDA);
+  options.equilibrator.kind = EquilibratorKind::Newton;
+  const auto coarsening = make_coarsening(options);
+  coarsening->restart(uneven());
+  const SampledFoam there = coarsening->sample(0);
+  const SampledFoam here = foam::sample(coarsening->foam(), 0);
+  EXPECT_EQ(here.films.tension.size(), here.films.length.size());
+  EXPECT_TRUE(there.films.tension == here.films.tension);
+  EXPECT_NEAR(there.energy / here.energy, 1, 1e-12);
+  EXPECT_NEAR(largest_difference(there.bubbles.points, here.bubbles.points), 0, 1e-10);
+}
+
 void statistics_of_bubbles() {
   const auto coarsening = coarsened_there();
   const FoamStatistics there = coarsening->statistics(true);
@@ -416,34 +451,6 @@ void statistics_of_bubbles() {
   EXPECT_EQ(coarsening->statistics(true).energy, there.energy);
 }
 
-/// A preconditioner and a matrix of a foam's, on either machine.
-template <class Machine> class NewtonSystem {
-public:
-  NewtonSystem(Machine& machine, const FoamView& mesh, double spacing)
-      : machine_(machine), mesh_(mesh), stiffness_(FoamView::size(mesh.films)),
-        gradient_(FoamView::size(mesh.films)), preconditioner_(machine), compressed_(machine) {
-    const newton::Units units{spacing, 2 * mesh.surface_tension};
-    machine.for_each(mesh.films,
-                     newton::Linearise{mesh, units, 0.5, stiffness_.data(), gradient_.data()});
-    preconditioner_.set_up({mesh, stiffness_.data()}, units);
-  }
-
-  void multiply(const double* x, double* y) {
-    machine_.for_each(mesh_.junctions + mesh_.bubbles,
-                      newton::Multiply{{mesh_, stiffness_.data()}, x, y});
-  }
-  void precondition(const double* x, double* y) { preconditioner_.apply(x, y); }
-  LowerTriangle assemble() { return compressed_.assemble({mesh_, stiffness_.data()}); }
-
-private:
-  Machine& machine_;
-  FoamView mesh_;
-  typename Machine::template Array<newton::FilmStiffness> stiffness_;
-  typename Machine::template Array<newton::FilmGradient> gradient_;
-  newton::FoamPreconditioner<Machine> preconditioner_;
-  newton::CompressedMatrix<Machine> compressed_;
-};
-
 template <class T> std::vector<T> fetch(const T* there, std::size_t size) {
   std::vector<T> here(size);
   cuda::check(cudaMemcpy(here.data(), there, size * sizeof(T), cudaMemcpyDeviceToHost),
@@ -454,8 +461,8 @@ template <class T> std::vector<T> fetch(const T* there, std::size_t size) {
 void expect_same_matrix(const LowerTriangle& there, const LowerTriangle& here) {
   EXPECT_EQ(there.size, here.size);
   EXPECT_EQ(there.entries, here.entries);
-  const auto rows = Foam::size(here.size) + 1;
-  const auto entries = Foam::size(here.entries);
+  const auto rows = place_of(here.size) + 1;
+  const auto entries = place_of(here.entries);
   EXPECT_TRUE(fetch(there.first, rows) == std::vector(here.first, here.first + rows));
   EXPECT_TRUE(fetch(there.column, entries) == std::vector(here.column, here.column + entries));
   EXPECT_NEAR(largest_difference(fetch(there.value, entries),
@@ -469,10 +476,9 @@ void newton_system() {
   device.upload(foam);
   Gpu gpu;
   Host host;
-  NewtonSystem<Gpu> on_gpu(gpu, device.view(), foam.mean_spacing());
-  NewtonSystem<Host> on_host(host, view_of(foam), foam.mean_spacing());
-  const Index size = newton::size_of(view_of(foam));
-  std::vector<double> x(Foam::size(size));
+  test::NewtonSystem<Gpu> on_gpu(gpu, device.view(), foam.mean_spacing(), 0.5);
+  test::NewtonSystem<Host> on_host(host, view_of(foam), foam.mean_spacing(), 0.5);
+  std::vector<double> x(place_of(on_host.size()));
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = std::sin(static_cast<double>(i));
   }
@@ -500,16 +506,18 @@ EquilibratorOptions newton_on(Device device) {
 
 /// To the same equilibrium; with no T1s, so that there is but one.
 void newton_equilibrator() {
-  Foam there = disordered(20);
-  Foam here = there;
-  make_equilibrator(newton_on(Device::CUDA))->equilibrate(there, 0, {});
-  KrylovEquilibrator(newton_on(Device::CPU)).equilibrate(here, 0, {});
-  EXPECT_TRUE(there.report.converged);
-  EXPECT_TRUE(here.report.converged);
-  EXPECT_EQ(there.report.iterations, here.report.iterations);
-  expect_same_topology(there, here);
-  for (Index f = 0; f < here.film_capacity(); ++f) {
-    EXPECT_NEAR(there.length(2 * f), here.length(2 * f), 1e-8);
+  for (const Foam& start : {disordered(20), uneven(20)}) {
+    Foam there = start;
+    Foam here = start;
+    make_equilibrator(newton_on(Device::CUDA))->equilibrate(there, 0, {});
+    test::KrylovEquilibrator(newton_on(Device::CPU)).equilibrate(here, 0, {});
+    EXPECT_TRUE(there.report.converged);
+    EXPECT_TRUE(here.report.converged);
+    EXPECT_EQ(there.report.iterations, here.report.iterations);
+    expect_same_topology(there, here);
+    for (const Film f : here.film_slots()) {
+      EXPECT_NEAR(there.length(f.half()), here.length(f.half()), 1e-8);
+    }
   }
 }
 
@@ -543,23 +551,25 @@ void newton_abort() {
 
 /// Frames with Newton's equilibria, with T1s and T2s.
 void newton_frames() {
-  const auto on = [](Device device) {
-    CoarseningOptions options = options_on(device);
-    options.equilibrator.kind = EquilibratorKind::Newton;
-    options.equilibrator.tolerance = 1e-10;
-    options.thresholds.t1_length = 0.3;
-    options.thresholds.t2_area = 0.6;
-    return coarsened(options, disordered(16), 10);
-  };
-  const Foam there = on(Device::CUDA);
-  const Foam here = on(Device::CPU);
-  EXPECT_TRUE(there.report.converged);
-  EXPECT_TRUE(here.report.converged);
-  EXPECT_GT(here.t1_count + here.t2_count, 0);
-  EXPECT_EQ(there.t1_count, here.t1_count);
-  EXPECT_EQ(there.t2_count, here.t2_count);
-  expect_same_topology(there, here);
-  EXPECT_NEAR(there.energy() / here.energy(), 1, 1e-9);
+  for (const Foam& start : {disordered(16), uneven(16)}) {
+    const auto on = [&](Device device) {
+      CoarseningOptions options = options_on(device);
+      options.equilibrator.kind = EquilibratorKind::Newton;
+      options.equilibrator.tolerance = 1e-10;
+      options.thresholds.t1_length = 0.3;
+      options.thresholds.t2_area = 0.6;
+      return coarsened(options, start, 10);
+    };
+    const Foam there = on(Device::CUDA);
+    const Foam here = on(Device::CPU);
+    EXPECT_TRUE(there.report.converged);
+    EXPECT_TRUE(here.report.converged);
+    EXPECT_GT(here.t1_count + here.t2_count, 0);
+    EXPECT_EQ(there.t1_count, here.t1_count);
+    EXPECT_EQ(there.t2_count, here.t2_count);
+    expect_same_topology(there, here);
+    EXPECT_NEAR(there.energy() / here.energy(), 1, 1e-9);
+  }
 }
 
 bool without_direct_solver() {
@@ -588,8 +598,8 @@ void direct_solver() {
   EXPECT_TRUE(direct.report.converged);
   EXPECT_TRUE(iterative.report.converged);
   expect_same_topology(direct, iterative);
-  for (Index f = 0; f < direct.film_capacity(); ++f) {
-    EXPECT_NEAR(direct.length(2 * f), iterative.length(2 * f), 1e-9);
+  for (const Film f : direct.film_slots()) {
+    EXPECT_NEAR(direct.length(f.half()), iterative.length(f.half()), 1e-9);
   }
 }
 
@@ -640,10 +650,10 @@ void direct_frames() {
   EXPECT_GT(eventful.t1_count, 0);
   EXPECT_GT(eventful.t2_count, 0);
   double gas = 0;
-  for (Index b = 0; b < eventful.bubble_capacity(); ++b) {
-    gas += eventful.has_bubble(b) ? eventful.target_area[Foam::size(b)] : 0;
+  for (const Bubble b : eventful.bubble_slots()) {
+    gas += eventful.has_bubble(b) ? eventful.target_area[b] : 0;
   }
-  EXPECT_NEAR(gas / (eventful.box.width() * eventful.box.height()), 1, 1e-12);
+  EXPECT_NEAR(gas / eventful.surroundings.lattice.area(), 1, 1e-12);
 }
 
 } // namespace
@@ -666,6 +676,7 @@ int main(int argc, char** argv) {
       {"sorting", sorting},
       {"sums", sums},
       {"sampling", sampling},
+      {"sampling_of_tensions", sampling_of_tensions},
       {"statistics", statistics_of_bubbles},
       {"newton_system", newton_system},
       {"newton_equilibrator", newton_equilibrator},

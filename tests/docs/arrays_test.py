@@ -27,11 +27,12 @@ def run_blocks(proxy, names):
         exec(re.sub(r"NumberOfPoints=\d+", "NumberOfPoints=60", block), names)
 
 
-def listed(proxy, heading, kind):
-    """The arrays of a kind that a page lists below a heading."""
+def listed(proxy, heading, kind, sometimes=False):
+    """The arrays of a kind that a page lists below a heading, those that are always there or those that are not."""
     section = re.search(rf"^## {heading}.*?\n(.*?)(?=^## |\Z)", page_of(proxy), re.MULTILINE | re.DOTALL)[1]
     rows = re.search(rf"^\| {kind} .*?\n\|[-|]+\n((?:\|.*\n)+)", section, re.MULTILINE)[1]
-    return [name for row in rows.splitlines() for name in re.findall(r"`(\w+)`", row.split("|")[1])]
+    return [name for row in rows.splitlines() if ("only where" in row) == sometimes
+            for name in re.findall(r"`(\w+)`", row.split("|")[1])]
 
 
 def names_of(attributes):
@@ -67,6 +68,23 @@ class Outputs(unittest.TestCase):
             self.check("FoamFromPoints", "Output 0: films", "point array", films.GetPointData())
             self.check("FoamFromPoints", "Output 0: films", "field array", films.GetFieldData())
             self.check("FoamFromPoints", "Output 1: bubbles", "cell array", bubbles.GetCellData())
+
+    def test_arrays_that_are_there_sometimes(self):
+        points = FoamPoints(NumberOfPoints=60)
+        torus = FoamFromPoints(Input=points, Boundary="Periodic", PeriodVectors=[8, 0, 2, 7.5])
+        tensions = Calculator(Input=FoamFromPoints(Input=points), AttributeType="Cell Data",
+                              ResultArrayName="FilmTension", Function="0.5 + 0.001*LeftBubble")
+        pressure = ProgrammableFilter(Input=tensions, CopyArrays=True, Script="""
+array = vtk.vtkDoubleArray()
+array.SetName("OutsidePressure")
+array.InsertNextValue(0.1)
+output.GetFieldData().AddArray(array)""")
+        self.names.update(torus=torus, own=FoamCoarsen(Input=pressure, NumberOfFrames=1))
+        own, skewed = self.output("own"), self.output("torus")
+        for kind, found in (("cell array", set(names_of(own.GetCellData()))),
+                            ("field array", {*names_of(own.GetFieldData()), *names_of(skewed.GetFieldData())})):
+            page = "FoamFromPoints", "Output 0: films", kind
+            self.assertEqual(found - set(listed(*page)), set(listed(*page, sometimes=True)))
 
     def test_points(self):
         points = self.output("points")

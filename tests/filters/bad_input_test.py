@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
-from foam_testing import (Messages, copy, foam_of_points, points_of, set_properties, write)
+from foam_testing import (Messages, array_of, copy, foam_of_points, points_of, set_properties, write)
 
 NAN = math.nan
 SQUARE = [(0, 0), (1, 0.1), (0.2, 1.1), (1.3, 1.2), (2.2, 0.3)]
@@ -131,6 +131,20 @@ class Points(Rejecting):
         self.rejects(foam, "PeriodicBounds", "nan")
         foam.SetPeriodicBounds(0, math.inf, 0, 2)
         self.rejects(foam, "PeriodicBounds", "inf")
+
+
+    def test_period_vectors(self):
+        foam = vtkFoamFromPoints()
+        foam.SetInputData(points_of(SQUARE))
+        foam.SetBoundary(vtkFoamFromPoints.Periodic)
+        for periods, *parts in [((3, NAN, 0, 2), "PeriodVectors", "nan"), ((3, 0, math.inf, 2), "PeriodVectors", "inf"),
+                                ((0, 2, 3, 0), "periods (0, 2) and (3, 0) are clockwise"),
+                                ((3, 1, 6, 2), "periods (3, 1) and (6, 2)", "enclose no area"),
+                                ((3, 0, 0, 0), "periods (3, 0) and (0, 0)", "enclose no area")]:
+            foam.SetPeriodVectors(*periods)
+            self.rejects(foam, *parts)
+        foam.SetPeriodVectors(3, 0, 1, 2)
+        self.accepts(foam)
 
 
 class TargetAreas(Rejecting):
@@ -281,9 +295,10 @@ class Films(Rejecting):
         self.rejects_films(lines, "not a foam", "FormatVersion is missing")
 
     def test_format_version(self):
-        def change(films):
-            films.GetFieldData().GetArray("FormatVersion").SetValue(0, 7)
-        self.rejects_films(self.changed(change), "FormatVersion", "7")
+        for version in (-1, 0, 3, 7):
+            def change(films):
+                films.GetFieldData().GetArray("FormatVersion").SetValue(0, version)
+            self.rejects_films(self.changed(change), "FormatVersion", str(version))
 
     def test_missing_arrays(self):
         for kind, names in [
@@ -326,6 +341,14 @@ class Films(Rejecting):
         self.rejects_films(replace("FieldData", "PeriodicBounds", vtkDoubleArray, 1, 3),
                            "PeriodicBounds", "3")
         self.rejects_films(replace("FieldData", "TimeValue", vtkFloatArray, 1, 2), "TimeValue", "2")
+        self.rejects_films(replace("CellData", "FilmTension", vtkStringArray, 1, 57), "FilmTension", "not numeric")
+        self.rejects_films(replace("CellData", "FilmTension", vtkDoubleArray, 1, 5), "FilmTension", "5", "57")
+        self.rejects_films(replace("FieldData", "PeriodVectors", vtkStringArray, 4, 1), "PeriodVectors", "not numeric")
+        self.rejects_films(replace("FieldData", "PeriodVectors", vtkDoubleArray, 2, 1), "PeriodVectors", "2", "4")
+        self.rejects_films(replace("FieldData", "OutsidePressure", vtkStringArray, 1, 1),
+                           "OutsidePressure", "not numeric")
+        self.rejects_films(replace("FieldData", "OutsidePressure", vtkDoubleArray, 1, 2),
+                           "OutsidePressure", "2 values for 1 outside")
 
     def test_values(self):
         cases = [("PointData", "JunctionId", 1000, "1000"), ("PointData", "JunctionId", -2, "-2"),
@@ -348,6 +371,33 @@ class Films(Rejecting):
                     def change(films):
                         getattr(films, "Get" + kind)().GetArray(name).SetValue(0, value)
                     self.rejects_films(self.changed(change, periodic), text)
+
+    def test_tensions(self):
+        for tensions, *parts in [((NAN,), "FilmTension of film 0 is nan"),
+                                 ((math.inf,), "FilmTension of film 0 is inf"),
+                                 ((0.5, 0), "tension of film 1", "positive", "0"),
+                                 ((0.5, -0.5), "tension of film 1", "positive", "-0.5"),
+                                 ((1.25,), "junction", "cannot hold", "1.25")]:
+            def change(films):
+                rest = [0.5] * (films.GetNumberOfLines() - len(tensions))
+                films.GetCellData().AddArray(array_of("FilmTension", [*tensions, *rest]))
+            for periodic in (False, True):
+                self.rejects_films(self.changed(change, periodic), *parts)
+
+    def test_period_vectors(self):
+        for periods, *parts in [((3, 0, 0, NAN), "PeriodVectors", "nan"),
+                                ((3, 1, 6, 2), "PeriodVectors", "no area", "3 1 6 2"),
+                                ((0, 3, 3, 0), "PeriodVectors", "no area", "0 3 3 0"),
+                                ((3, 0, 0, 3), "film", "not whole periods away")]:
+            def change(films):
+                films.GetFieldData().AddArray(array_of("PeriodVectors", periods))
+            self.rejects_films(self.changed(change, periodic=True), *parts)
+
+    def test_outside_pressure(self):
+        def change(films):
+            films.GetFieldData().AddArray(array_of("OutsidePressure", [NAN]))
+        self.rejects_films(self.changed(change), "OutsidePressure of outside 0 is nan")
+        self.rejects_films(self.changed(change, periodic=True), "OutsidePressure", "1 values for 0 outsides")
 
     def test_swapped_sides(self):
         def change(films):

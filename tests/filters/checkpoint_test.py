@@ -7,8 +7,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from foam_testing import (coarsening_of, column, differences, foam_of_points, go_to, read, single,
-                          times, write)
+from foam_testing import (coarsening_of, column, differences, foam_of_points, go_to, read, single, skewed_torus,
+                          times, with_tensions, write)
 
 LAST = 40
 
@@ -33,11 +33,10 @@ def resume(folder, first):
 
 
 class Checkpoint(unittest.TestCase):
-    def check(self, periodic):
+    def check(self, start):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            foam = foam_of_points(periodic=periodic)
-            offered = run(foam, 0, folder)
+            offered = run(start, 0, folder)
             last = read(folder / f"films{LAST}.vtp")
             self.assertGreater(single(last, "T2Count") + single(last, "T3Count"), 0)
 
@@ -62,10 +61,18 @@ class Checkpoint(unittest.TestCase):
                 self.assertLess(abs(other / length - 1), 1e-8, frame)
 
     def test_free(self):
-        self.check(periodic=False)
+        self.check(foam_of_points())
 
     def test_periodic(self):
-        self.check(periodic=True)
+        self.check(foam_of_points(periodic=True))
+
+    def test_skewed_torus(self):
+        self.check(foam_of_points(periodic=True, PeriodVectors=skewed_torus()))
+
+    def test_own_tensions(self):
+        foam = foam_of_points()
+        foam.Update()
+        self.check(with_tensions(foam.GetOutput(0)))
 
 
 if __name__ == "__main__":

@@ -3,34 +3,20 @@
 
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
-from foam_testing import (column, coarsening_of, foam_of_points, go_to, points_of, single, times)
+from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of, single,
+                          skewed_torus, times, with_tensions)
 
-SAMPLES = Path(__file__).resolve().parents[2] / "sample-data"
-EQUILIBRATOR = {
-    "Equilibrator": 0, "Device": 0, "Tolerance": 1e-9, "MaximumIterations": 256, "LinearSolver": 0, "Sweep": 0,
-    "RootSearch": 0, "EnergyTarget": 0, "EnergyDecay": True, "OrientationInvariant": False, "Damping": 0.1,
-    "FiniteDifferenceStep": 0.01, "JacobianTolerance": 1, "PressureTolerance": 0.001,
-    "PositionTolerance": 0.001, "MinimumScale": 1e-5, "ChordError": 0,
-}
-DEFAULTS = {
-    vtkFoamPoints: {"NumberOfPoints": 2000, "Spacing": 1, "Jitter": 1, "Seed": 1},
-    vtkFoamFromPoints: {
-        "Boundary": 0, "PeriodicBounds": (0, 0, 0, 0), "TargetAreas": 0, "TargetAreaArray": "",
-        "SurfaceTension": 0.25, "FinSize": 0, "Equilibrate": True, **EQUILIBRATOR},
-    vtkFoamCoarsen: {
-        "TimeStep": 1 / 30, "NumberOfFrames": 300, "Permeability": 1, "T1Length": 0.025,
-        "T2Area": 0.05, "Thresholds": 0, "Alpha": 0.05, "TwoSidedBubbles": 0,
-        "Stepping": 0, "TopologicalAlgorithm": 0, "KeyframeInterval": 10, "KeyframeMemory": 256,
-        **EQUILIBRATOR},
-    vtkFoamStatistics: {"IncludeBoundary": False},
-    vtkFoamEnsembleStatistics: {"IncludeBoundary": False},
-}
+ROOT = Path(__file__).resolve().parents[2]
+SAMPLES = ROOT / "sample-data"
+XML = ROOT / "xml"
+FILTERS = [vtkFoamPoints, vtkFoamFromPoints, vtkFoamCoarsen, vtkFoamStatistics, vtkFoamEnsembleStatistics]
 FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",
               "HalfAngle", "OnBoundary"]
 FIELD_PER_BUBBLE = ["BubbleId", "BubblePressure", "BubbleTargetArea"]
@@ -53,12 +39,51 @@ def columns(table):
     return [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
 
 
+def xml_defaults(filter_class):
+    """The properties of a filter's proxy and their defaults."""
+    text = (XML / "Foam.xml.in").read_text().replace(
+        "@EquilibratorProperties@", (XML / "EquilibratorProperties.xml.in").read_text())
+    proxy = ElementTree.fromstring(text).find(f".//*[@class='{filter_class.__name__}']")
+    for element in proxy:
+        values = element.get("default_values", "").split()
+        if element.tag == "StringVectorProperty":
+            yield element.get("name"), " ".join(values)
+        elif values:
+            numbers = tuple(map(float, values))
+            yield element.get("name"), numbers if len(numbers) > 1 else numbers[0]
+
+
 class Properties(unittest.TestCase):
-    def test_defaults(self):
-        for filter_class, defaults in DEFAULTS.items():
+    def test_defaults_are_those_of_the_proxies(self):
+        for filter_class in FILTERS:
+            defaults = dict(xml_defaults(filter_class))
+            self.assertGreater(len(defaults), 0)
             for name, value in defaults.items():
                 with self.subTest(filter_class=filter_class.__name__, name=name):
                     self.assertEqual(getattr(filter_class(), "Get" + name)(), value)
+
+    def test_only_changes_are_modifications(self):
+        for filter_class in FILTERS:
+            changed = filter_class()
+            for name, _ in xml_defaults(filter_class):
+                with self.subTest(filter_class=filter_class.__name__, name=name):
+                    before, value = changed.GetMTime(), getattr(changed, "Get" + name)()
+                    getattr(changed, "Set" + name)(value)
+                    self.assertEqual(changed.GetMTime(), before)
+                    if isinstance(value, (int, float)):
+                        other = type(value)(not value if value in (0, 1) else 2 * value)
+                        getattr(changed, "Set" + name)(other)
+                        self.assertGreater(changed.GetMTime(), before)
+                        self.assertEqual(getattr(changed, "Get" + name)(), other)
+
+    def test_choices_are_clamped(self):
+        coarsen = vtkFoamCoarsen()
+        for name, last in (("Equilibrator", 1), ("Device", 2), ("Thresholds", 1), ("TopologicalAlgorithm", 3)):
+            for value, expected in ((-1, 0), (last, last), (7, last)):
+                getattr(coarsen, "Set" + name)(value)
+                self.assertEqual(getattr(coarsen, "Get" + name)(), expected, name)
+            self.assertEqual(getattr(coarsen, f"Get{name}MinValue")(), 0)
+            self.assertEqual(getattr(coarsen, f"Get{name}MaxValue")(), last)
 
     def test_ports(self):
         for filter_class, ports in [(vtkFoamPoints, 1), (vtkFoamFromPoints, 2),
@@ -66,9 +91,9 @@ class Properties(unittest.TestCase):
             self.assertEqual(filter_class().GetNumberOfOutputPorts(), ports)
 
     def test_printing(self):
-        for filter_class, defaults in DEFAULTS.items():
+        for filter_class in FILTERS:
             text = str(filter_class())
-            for name in defaults:
+            for name, _ in xml_defaults(filter_class):
                 self.assertIn(name + ":", text)
 
 
@@ -96,15 +121,15 @@ class Points(unittest.TestCase):
 
 
 class Arrays(unittest.TestCase):
-    def check_films(self, films):
+    def check_films(self, films, more_cells=(), more_fields=()):
         self.assertEqual(films.GetPoints().GetDataType(), VTK_DOUBLE)
         self.assertEqual(names(films.GetPointData()), ["JunctionId"])
-        self.assertEqual(names(films.GetCellData()), FILM_CELLS)
+        self.assertEqual(names(films.GetCellData()), [*FILM_CELLS, *more_cells])
         self.assertEqual(sorted(names(films.GetFieldData())),
-                         sorted(FIELD_PER_BUBBLE + FIELD_SINGLE))
+                         sorted([*FIELD_PER_BUBBLE, *FIELD_SINGLE, *more_fields]))
         for name in ("LeftBubble", "RightBubble"):
             self.assertEqual(films.GetCellData().GetArray(name).GetClassName(), "vtkIdTypeArray")
-        self.assertEqual(single(films, "FormatVersion"), 1)
+        self.assertEqual(single(films, "FormatVersion"), 2)
         bounds = films.GetFieldData().GetArray("PeriodicBounds")
         self.assertEqual(bounds.GetNumberOfValues(), 4)
 
@@ -127,12 +152,13 @@ class Arrays(unittest.TestCase):
         cells = films.GetCellData()
         left, right = column(cells, "LeftBubble"), column(cells, "RightBubble")
         difference = column(cells, "PressureDifference")
-        gamma = single(films, "SurfaceTension")
+        tension = (column(cells, "FilmTension") if cells.HasArray("FilmTension") else
+                   numpy.full(len(left), 2 * single(films, "SurfaceTension")))
         junction = column(films.GetPointData(), "JunctionId")
         for i in range(films.GetNumberOfLines()):
             self.assertEqual(difference[i], pressure[left[i]] - pressure[right[i]])
             # Laplace and Young: p_left − p_right = 2γ·curvature.
-            self.assertAlmostEqual(difference[i], 2 * gamma * column(cells, "Curvature")[i], 7)
+            self.assertAlmostEqual(difference[i], tension[i] * column(cells, "Curvature")[i], 7)
             self.assertEqual(column(cells, "OnBoundary")[i], -1 in (left[i], right[i]))
             length = column(cells, "Length")[i]
             for b in {left[i], right[i]} - {-1}:
@@ -155,9 +181,9 @@ class Arrays(unittest.TestCase):
         self.assertEqual(list(column(bubbles.GetCellData(), "Sides")), [sides[b] for b in ids])
         numpy.testing.assert_allclose(column(bubbles.GetCellData(), "Perimeter"),
                                       [perimeter[b] for b in ids], rtol=1e-12)
-        self.assertAlmostEqual(single(films, "Energy"), 2 * gamma * column(cells, "Length").sum(), 9)
+        self.assertAlmostEqual(single(films, "Energy"), (tension * column(cells, "Length")).sum(), 9)
 
-    def check_polygons(self, films, bubbles, bounds=None):
+    def check_polygons(self, bubbles, origin=None, periods=None):
         areas = column(bubbles.GetCellData(), "Area")
         for i in range(bubbles.GetNumberOfPolys()):
             points = bubbles.GetCell(i).GetPoints()
@@ -169,9 +195,10 @@ class Arrays(unittest.TestCase):
             # Drawn as a fan of triangles around its first point it covers no more than itself.
             fan = numpy.cross(p[1:-1] - p[0], p[2:] - p[0]) / 2
             self.assertLess(-fan[fan < 0].sum() / area, 1e-3)
-            if bounds is not None:
-                x, y = ((p + q) * cross[:, None]).sum(axis=0) / (6 * area)
-                self.assertTrue(bounds[0] <= x <= bounds[1] and bounds[2] <= y <= bounds[3])
+            if periods is not None:
+                centroid = ((p + q) * cross[:, None]).sum(axis=0) / (6 * area)
+                inside = numpy.linalg.solve(numpy.transpose(periods), centroid - origin)
+                self.assertTrue((inside >= 0).all() and (inside < 1).all(), inside)
 
     def test_free(self):
         foam = foam_of_points(60)
@@ -180,7 +207,7 @@ class Arrays(unittest.TestCase):
         self.check_films(films)
         self.check_bubbles(films, bubbles)
         self.check_films_against_bubbles(films, bubbles)
-        self.check_polygons(films, bubbles)
+        self.check_polygons(bubbles)
         self.assertEqual(films.GetNumberOfLines(), 3 * 60 - 3)
         self.assertEqual(single(films, "Boundary"), 0)
         self.assertEqual(single(films, "Converged"), 1)
@@ -197,13 +224,60 @@ class Arrays(unittest.TestCase):
         self.check_films(films)
         self.check_bubbles(films, bubbles)
         self.check_films_against_bubbles(films, bubbles)
-        self.check_polygons(films, bubbles, (0, 8, 0, 8))
+        self.check_polygons(bubbles, (0, 0), ((8, 0), (0, 8)))
         self.assertEqual(films.GetNumberOfLines(), 3 * 60)
         self.assertEqual(single(films, "Boundary"), 1)
         bounds = films.GetFieldData().GetArray("PeriodicBounds")
         self.assertEqual([bounds.GetValue(i) for i in range(4)], [0, 8, 0, 8])
         self.assertFalse(column(films.GetCellData(), "OnBoundary").any())
         self.assertAlmostEqual(column(bubbles.GetCellData(), "Area").sum(), 64, 8)
+
+    def test_skewed_torus(self):
+        periods = skewed_torus(40)
+        foam = foam_of_points(40, periodic=True, PeriodVectors=periods)
+        coarsen = coarsening_of(foam)
+        messages = Messages(coarsen)
+        area = periods[0] * periods[3] - periods[1] * periods[2]
+        for frame in range(21):
+            films, bubbles = go_to(coarsen, frame)
+            self.assertEqual(single(films, "Converged"), 1)
+            self.assertLess(single(films, "Residual"), 1e-9)
+            self.assertAlmostEqual(column(bubbles.GetCellData(), "Area").sum() / area, 1, 12)
+        self.assertEqual(messages.errors + messages.warnings, [])
+        self.assertGreater(single(films, "T1Count") + single(films, "T2Count"), 0)
+        self.check_films(films, more_fields=["PeriodVectors"])
+        self.check_bubbles(films, bubbles)
+        self.check_films_against_bubbles(films, bubbles)
+        self.assertEqual(tuple(column(films.GetFieldData(), "PeriodVectors")[0]), periods)
+        xmin, xmax, ymin, ymax = column(films.GetFieldData(), "PeriodicBounds")[0]
+        points = foam.GetInput().GetBounds()
+        self.assertEqual((xmin, ymin), (points[0], points[2]))
+        self.assertEqual((xmax, ymax), (xmin + periods[0], ymin + periods[3]))
+        self.check_polygons(bubbles, (xmin, ymin), (periods[:2], periods[2:]))
+        self.assertEqual(differences(films, go_to(coarsening_of(films), 0)[0]), [])
+
+    def test_periods_of_a_torus(self):
+        """Those of a rectangle are its bounds, and other periods of the same torus make the same foam."""
+        def films(periods):
+            foam = foam_of_points(60, periodic=True, PeriodVectors=periods)
+            foam.SetPeriodicBounds(0, 8, 0, 8)
+            foam.Update()
+            return foam.GetOutput(0)
+
+        rectangle = films((0, 0, 0, 0))
+        self.assertEqual(differences(films((8, 0, 0, 8)), rectangle), [])
+        again = films((8, 0, 16, 8))
+        self.assertAlmostEqual(single(again, "Energy") / single(rectangle, "Energy"), 1, 12)
+
+    def test_own_tensions(self):
+        foam = foam_of_points(60)
+        foam.Update()
+        for frame in (1, 10):
+            films, bubbles = go_to(coarsening_of(with_tensions(foam.GetOutput(0))), frame)
+            self.assertEqual(single(films, "Converged"), 1)
+            self.check_films(films, more_cells=["FilmTension"])
+            self.check_bubbles(films, bubbles)
+            self.check_films_against_bubbles(films, bubbles)
 
     def test_fixed(self):
         foam = foam_of_points(30, Boundary=vtkFoamFromPoints.Fixed)

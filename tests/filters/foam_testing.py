@@ -40,12 +40,32 @@ def points_of(coordinates, **arrays):
         points.InsertNextPoint(*p, *([0.0] * (3 - len(p))))
     data.SetPoints(points)
     for name, values in arrays.items():
-        array = vtkDoubleArray()
-        array.SetName(name)
-        for value in values:
-            array.InsertNextValue(value)
-        data.GetPointData().AddArray(array)
+        data.GetPointData().AddArray(array_of(name, values))
     return data
+
+
+def array_of(name, values):
+    array = vtkDoubleArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    return array
+
+
+def skewed_torus(count=60):
+    """The periods of a torus that is no rectangle, of this area."""
+    side = count ** 0.5
+    return side, 0.1 * side, 0.3 * side, 1.03 * side
+
+
+def with_tensions(films, spread=0.2):
+    """The films with tensions of their own: (1 ± spread)·2γ. They are not in equilibrium."""
+    result = copy(films)
+    reference = 2 * single(films, "SurfaceTension")
+    count = films.GetNumberOfLines()
+    tensions = [reference * (1 + spread * (7 * i % 11 - 5) / 5) for i in range(count)]
+    result.GetCellData().AddArray(array_of("FilmTension", tensions))
+    return result
 
 
 def foam_of_points(count=60, periodic=False, **properties):

@@ -8,8 +8,8 @@ from pathlib import Path
 from foam.vtkFoamFilters import vtkFoamFromPoints
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from foam_testing import (Messages, coarsening_of, copy, differences, foam_of_points, go_to, read,
-                          write)
+from foam_testing import (Messages, array_of, coarsening_of, copy, differences, foam_of_points, go_to, read, single,
+                          skewed_torus, with_tensions, write)
 
 
 class RoundTrip(unittest.TestCase):
@@ -51,6 +51,40 @@ class RoundTrip(unittest.TestCase):
         foam = foam_of_points(30, Boundary=vtkFoamFromPoints.Fixed)
         foam.Update()
         self.check(copy(foam.GetOutput(0)))
+
+    def test_skewed_torus(self):
+        foam = foam_of_points(periodic=True, PeriodVectors=skewed_torus())
+        foam.Update()
+        films = copy(foam.GetOutput(0))
+        self.assertTrue(films.GetFieldData().HasArray("PeriodVectors"))
+        self.check(films)
+
+    def test_torus_whose_bounds_are_rounded(self):
+        """Periods that the bounds do not give back to the last digit are written themselves."""
+        foam = foam_of_points(periodic=True, PeriodVectors=(8 - 2 ** -49, 0, 0, 7.7))
+        foam.SetPeriodicBounds(1000.1, 1001, 0.1, 1)
+        foam.Update()
+        films = copy(foam.GetOutput(0))
+        self.assertTrue(films.GetFieldData().HasArray("PeriodVectors"))
+        self.check(films)
+
+    def test_own_tensions(self):
+        for periodic in (False, True):
+            foam = foam_of_points(periodic=periodic)
+            foam.Update()
+            films, _ = go_to(coarsening_of(with_tensions(foam.GetOutput(0))), 3)
+            self.assertTrue(films.GetCellData().HasArray("FilmTension"))
+            self.check(films)
+
+    def test_outside_pressure(self):
+        foam = foam_of_points()
+        foam.Update()
+        films = copy(foam.GetOutput(0))
+        films.GetFieldData().AddArray(array_of("OutsidePressure", [0.3]))
+        films, _ = go_to(coarsening_of(films), 1)
+        self.assertEqual(single(films, "OutsidePressure"), 0.3)
+        self.assertEqual(single(films, "Converged"), 1)
+        self.check(films)
 
     def test_initial_mesh(self):
         foam = foam_of_points(Equilibrate=False)

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "equilibrium/factorising_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "algebra/conjugate_residuals.h"
+#include "equilibrium/zero_modes.h"
+
+namespace foam::newton {
+namespace {
+
+constexpr double kReuseBelow = 0.1;  // residual from which on reuse is tried
+constexpr double kChordBelow = 1e-4; // residual from which on a matrix serves for several steps
+constexpr double kStationaryBelow = 1e-5; // residual from which on any equilibrium will do
+constexpr double kFreeToTurnBelow = 0.1;  // residual from which on a rotation is told apart
+constexpr Index kAnyEquilibrium = std::numeric_limits<Index>::max();
+constexpr double kExcess = 0.3;   // part of the tolerance that a step's equations may miss
+constexpr int kDirections = 8;    // after which a new factorisation is cheaper
+constexpr double kForcing = 1e-2; // of the load, that an inexact step may leave
+constexpr double kFirstShift = 1e-3;
+constexpr double kLargestShift = 1e4;
+
+/// Negative pivots beyond the constraints' that need no shift: so close to a stationary point, be
+/// it a saddle, that Newton's own step leads there, all. One is a free foam's rotation: it costs
+/// nothing in equilibrium, near it a little more or less, and is taken out of every step.
+Index surplus(const Foam& foam, const Residual& residual) {
+  if (residual.largest() < kStationaryBelow) {
+    return kAnyEquilibrium;
+  }
+  return foam.surroundings.rotates() && residual.largest() < kFreeToTurnBelow ? 1 : 0;
+}
+
+} // namespace
+
+void FactorisingSolver::reset() {
+  ready_ = false;
+  factorised_ = false;
+  shift_ = 0;
+}
+
+void FactorisingSolver::set_up(const Foam& foam, Region region) {
+  const bool adapts = factorised_ && shift_ == 0 && region_.whole && region.whole;
+  step_.fit(view_of(foam));
+  for (const Junction j : region_.junctions) { // which may be held now
+    if (j.index() < foam.junction_slots().size()) {
+      step_.view().junction[j] = {};
+    }
+  }
+  region_ = std::move(region);
+  topology_ = foam.topology;
+  ready_ = true;
+  adapted_ = false;
+  keep_angle_.clear();
+  for (const Film f : region_.films) {
+    keep_angle_.push_back(adapts ? factorisation_.keeps_angle(f)
+                                 : NewtonMatrix::angle_is_delicate(foam, f));
+  }
+  renumber(foam);
+  factorised_ = adapts;
+}
+
+void FactorisingSolver::renumber(const Foam& foam) {
+  matrix_.set_up(foam, region_, keep_angle_);
+  assembled_ = false;
+  analysed_ = false;
+  factorised_ = false;
+}
+
+void FactorisingSolver::begin(bool /*far*/) {
+  assembled_ = false;
+  adapted_ = false;
+}
+
+const StepView* FactorisingSolver::reuse(const Foam& foam, const Domain& /*domain*/,
+                                         const Evaluation<Host>& state, const Residual& residual,
+                                         double tolerance) {
+  assembled_ = false;
+  if (!factorised_ || shift_ > 0 || residual.largest() > kReuseBelow) {
+    return nullptr;
+  }
+  if (!adapted_ || residual.largest() > kChordBelow) {
+    adapted_ = adapt(foam);
+    if (!adapted_) {
+      return nullptr;
+    }
+  }
+  // An inexact step: it leaves a part of the load (R. S. Dembo, S. C. Eisenstat, T. Steihaug, SIAM
+  // J. Numer. Anal. 19 (1982) 400), or what is below a limit. A load below the limit is to be met
+  // too: areas are measured here by the mean, not by their own.
+  std::vector<double> rest = load(foam, state);
+  std::vector<double> change(rest.size(), 0.0);
+  const double most = largest(foam, rest);
+  const double limit = kExcess * tolerance;
+  const double enough = limit < most ? std::max(limit, kForcing * most) : kForcing * most;
+  if (!solve(foam, change, rest, enough)) {
+    return nullptr;
+  }
+  extract(foam, change, angle_gradient(state), {}, step_);
+  return &view_;
+}
+
+const StepView* FactorisingSolver::find(const Foam& foam, const Domain& /*domain*/,
+                                        const Evaluation<Host>& state, const Residual& residual) {
+  adapted_ = factorise(foam, surplus(foam, residual));
+  if (!adapted_) {
+    return nullptr;
+  }
+  std::vector<double> change = load(foam, state);
+  factorisation_.solve(change);
+  extract(foam, change, angle_gradient(state), {}, step_);
+  return &view_;
+}
+
+/// \returns false if some angles are to be kept that were not: the unknowns are others then.
+bool FactorisingSolver::assemble(const Foam& foam, double shift) {
+  if (assembled_ && shift == 0) {
+    return true;
+  }
+  const std::vector<std::size_t> unsafe = matrix_.assemble(foam, region_, shift);
+  for (const std::size_t i : unsafe) {
+    keep_angle_[i] = 1;
+  }
+  if (!unsafe.empty()) {
+    renumber(foam);
+    return false;
+  }
+  assembled_ = shift == 0;
+  return true;
+}
+
+/// \param surplus so many negative pivots more than there are constraints are taken as well.
+/// \returns false if no shift does it.
+bool FactorisingSolver::factorise(const Foam& foam, Index surplus) {
+  factorised_ = false;
+  const auto constraints = static_cast<Index>(region_.bubbles.size());
+  double shift = 0;
+  while (shift <= kLargestShift) {
+    if (!assemble(foam, shift)) {
+      continue;
+    }
+    if (!analysed_) {
+      factorisation_.analyse(foam, region_, matrix_);
+      analysed_ = true;
+    }
+    const Index negative = factorisation_.factorise(foam, region_, matrix_);
+    if (negative >= constraints && negative - constraints <= surplus) {
+      factorised_ = true;
+      shift_ = shift;
+      return true;
+    }
+    shift = shift == 0 ? std::max(kFirstShift, shift_ / 8) : 8 * shift;
+  }
+  return false;
+}
+
+/// Makes the last factorisation of a whole foam serve for where it has moved since. \returns false
+/// if that is too far.
+bool FactorisingSolver::adapt(const Foam& foam) {
+  if (factorised_) {
+    assemble(foam, 0);
+  }
+  factorised_ = factorised_ &&
+                (!region_.whole || (shift_ == 0 && factorisation_.adapt(foam, region_, matrix_)));
+  return factorised_;
+}
+
+/// ∂φ/∂α by place in region_.films.
+std::vector<double> FactorisingSolver::angle_gradient(const Evaluation<Host>& state) const {
+  std::vector<double> gradient(region_.films.size());
+  std::ranges::transform(region_.films, gradient.begin(),
+                         [&](Film f) { return state.films()[f].forces.angle; });
+  return gradient;
+}
+
+/// The right-hand side of Newton's equations: minus the gradient by the unknowns, condensed.
+std::vector<double> FactorisingSolver::load(const Foam& foam, const Evaluation<Host>& state) const {
+  const Unknowns& unknowns = matrix_.unknowns();
+  std::vector<double> load(place_of(unknowns.count()));
+  for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
+    const Vec2 force = state.forces()[region_.junctions[i]];
+    load[2 * i] = -force.x;
+    load[2 * i + 1] = -force.y;
+  }
+  for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+    load[place_of(unknowns.first_pressure()) + i] =
+        bounded_excess(view_of(foam), state.areas(), region_.bubbles[i]);
+  }
+  const std::vector<double> angles = angle_gradient(state);
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
+    if (const Index kept = unknowns.angle(region_.films[i]); kept != kNone) {
+      load[place_of(kept)] = -angles[i];
+    }
+  }
+  matrix_.condense(angles, load);
+  return load;
+}
+
+/// Adds to a change what takes away the rest of the load that it leaves, down to a limit of
+/// dimensionless residuals. \returns whether the limit is met.
+bool FactorisingSolver::solve(const Foam& foam, std::span<double> change, std::vector<double>& rest,
+                              double limit) {
+  const Unknowns& unknowns = matrix_.unknowns();
+  const Units units{region_.spacing, foam.reference_tension()};
+  std::vector<double> weight(rest.size(), 1 / units.energy());
+  const auto first_pressure = weight.begin() + unknowns.first_pressure();
+  const auto first_angle = weight.begin() + unknowns.first_angle();
+  std::fill(weight.begin(), first_pressure, 1 / units.tension);
+  std::fill(first_pressure, first_angle, 1 / units.area());
+  const ConstFoamView mesh = view_of(foam);
+  return conjugate_residuals(
+      change, rest, weight,
+      [&](std::span<const double> x, std::span<double> from) { matrix_.subtract_product(x, from); },
+      [&](std::span<double> x) {
+        factorisation_.solve(x);
+        remove_rigid_motion(host_, mesh, domain_of(region_), x.data());
+      },
+      [&](std::span<const double> left) { return largest(foam, left) <= limit; }, kDirections);
+}
+
+/// The largest dimensionless residual, areas in units of the mean.
+double FactorisingSolver::largest(const Foam& foam, std::span<const double> rest) const {
+  const Units units{region_.spacing, foam.reference_tension()};
+  const Unknowns& unknowns = matrix_.unknowns();
+  constexpr parallel::Larger larger{};
+  const auto part = [&](Index begin, Index end) {
+    double most = 0;
+    for (Index u = begin; u < end; ++u) {
+      most = larger(most, std::abs(rest[place_of(u)]));
+    }
+    return most;
+  };
+  return larger(larger(part(0, unknowns.first_pressure()) / units.tension,
+                       part(unknowns.first_pressure(), unknowns.first_angle()) / units.area()),
+                part(unknowns.first_angle(), unknowns.count()) / units.energy());
+}
+
+const StepView* FactorisingSolver::response(const Foam& foam,
+                                            const Field<Bubble, double>& area_rate,
+                                            const Rates& expected, double drift) {
+  assembled_ = false;
+  const StepView* step = adapt(foam) ? respond(foam, area_rate, expected, drift) : nullptr;
+  if (step == nullptr && factorise(foam, kAnyEquilibrium)) {
+    step = respond(foam, area_rate, expected, kAnyDrift);
+  }
+  return step;
+}
+
+const StepView* FactorisingSolver::respond(const Foam& foam, const Field<Bubble, double>& area_rate,
+                                           const Rates& expected, double drift) {
+  const Unknowns& unknowns = matrix_.unknowns();
+  std::vector<double> change(place_of(unknowns.count()), 0.0);
+  std::vector<double> rest(change.size(), 0.0);
+  for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+    rest[place_of(unknowns.first_pressure()) + i] = -area_rate[region_.bubbles[i]];
+  }
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
+    const FilmShare& share = matrix_.shares()[i];
+    const std::array<double, 7> rates = expected.of_film(foam, region_.films[i]);
+    subtract_product(share, rates, rest);
+    for (std::size_t k = 0; k < rates.size(); ++k) {
+      if (share.unknown[k] != kNone) {
+        change[place_of(share.unknown[k])] = rates[k];
+      }
+    }
+  }
+  if (drift == kAnyDrift) {
+    factorisation_.solve(rest);
+    std::ranges::transform(change, rest, change.begin(), std::plus<>());
+  } else if (!solve(foam, change, rest, drift)) {
+    return nullptr;
+  }
+  const std::vector<double> balanced(region_.films.size(), 0.0);
+  response_.fit(view_of(foam));
+  extract(foam, change, balanced, expected, response_);
+  return &view_;
+}
+
+/// \param angle_gradient that the change is to bring to zero, by place in region_.films
+/// \param held how what is held changes
+void FactorisingSolver::extract(const Foam& foam, std::span<double> change,
+                                std::span<const double> angle_gradient, const Rates& held,
+                                Step<Host>& step) {
+  const ConstFoamView mesh = view_of(foam);
+  const Domain domain = domain_of(region_);
+  remove_rigid_motion(host_, mesh, domain, change.data());
+  view_ = step.view();
+  for (std::size_t i = 0; i < region_.junctions.size(); ++i) {
+    view_.junction[region_.junctions[i]] = {change[2 * i], change[2 * i + 1]};
+  }
+  const auto pressures = change.subspan(place_of(matrix_.unknowns().first_pressure()));
+  for (std::size_t i = 0; i < region_.bubbles.size(); ++i) {
+    view_.pressure[region_.bubbles[i]] = pressures[i];
+  }
+  if (region_.whole) {
+    remove_common_pressure(host_, mesh, domain.bubbles, view_.pressure);
+  }
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
+    view_.angle[region_.films[i]] =
+        matrix_.angle_change(i, angle_gradient[i], change, held.of_film(foam, region_.films[i]));
+  }
+}
+
+} // namespace foam::newton

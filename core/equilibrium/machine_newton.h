@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton's method for a whole foam on a machine (parallel/host.h), every step of it in parallel.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "equilibrium/krylov_solver.h"
+#include "equilibrium/measures.h"
+#include "equilibrium/newton.h"
+#include "equilibrium/options.h"
+#include "equilibrium/swaps.h"
+
+namespace foam::newton {
+
+/// What an equilibration did.
+struct NewtonResult {
+  EquilibriumReport report;
+  std::int64_t t1 = 0;      ///< films swapped
+  int inner_iterations = 0; ///< of MINRES, all in all
+};
+
+/// Notes in a foam what has been done to its arrays.
+inline void note(Foam& foam, const NewtonResult& result) {
+  foam.t1_count += result.t1;
+  foam.topology += static_cast<std::uint64_t>(result.t1);
+  foam.report = result.report;
+}
+
+/// √(mean target area) of a mesh's bubbles, cm (Foam::mean_spacing).
+template <class Machine> double mean_spacing(Machine& machine, const ConstFoamView& mesh) {
+  const double total = machine.reduce(
+      mesh.bubble_slots(), 0.0,
+      FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? mesh.target_area[b] : 0.0; },
+      parallel::Add{});
+  const Index count = machine.reduce(
+      mesh.bubble_slots(), Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
+      parallel::Add{});
+  return std::sqrt(total / std::max(count, Index{1}));
+}
+
+template <class Machine> class MachineNewton {
+public:
+  /// \param direct see KrylovSolver.
+  MachineNewton(Machine& machine, const EquilibratorOptions& options,
+                std::unique_ptr<DirectSolver> direct = nullptr)
+      : machine_(machine), options_(options), newton_(machine), solver_(machine, std::move(direct)),
+        swaps_(machine) {}
+
+  /// Brings a mesh to equilibrium, swapping films shorter than t1_length (cm) that are pulled shut.
+  /// Where it throws Aborted the mesh is somewhere in between.
+  NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
+    Problem problem(machine_, mesh, swaps_, t1_length);
+    NewtonResult result;
+    const int before = solver_.iterations();
+    const Outcome outcome =
+        newton_.relax(problem, solver_, options_.tolerance, result.report.iterations,
+                      options_.maximum_iterations, aborted);
+    const EquilibriumMeasures measures = measure_equilibrium(machine_, const_view(mesh));
+    result.report.converged = outcome.converged;
+    result.report.max_angle_error = measures.angle_error;
+    result.report.max_area_error = measures.area_error;
+    result.report.residual = outcome.residual.largest();
+    result.t1 = problem.swapped();
+    result.inner_iterations = solver_.iterations() - before;
+    return result;
+  }
+
+  /// Whether a mesh is so far from equilibrium that some film is in the way of Newton's first step:
+  /// relax_compressible() then brings it nearer.
+  bool is_far(const FoamView& mesh) {
+    Problem problem(machine_, mesh, swaps_, 0);
+    return newton_.is_far(problem, solver_);
+  }
+
+private:
+  /// All of a mesh (equilibrium/newton.h).
+  class Problem {
+  public:
+    Problem(Machine& machine, const FoamView& mesh, SwapsAtOnce<Machine>& swaps, double t1_length)
+        : mesh_(mesh),
+          domain_(whole_mesh(const_view(mesh), mean_spacing(machine, const_view(mesh)))),
+          swaps_(swaps), t1_length_(t1_length) {
+      swaps_.begin(mesh_);
+    }
+
+    const FoamView& mesh() const { return mesh_; }
+    const FoamView& foam() const { return mesh_; }
+    const Domain& domain() const { return domain_; }
+    static bool renew() { return false; }
+    void mark_closing(const StepView& step) { swaps_.mark(mesh_, step, t1_length_); }
+    std::int64_t swap_closing() {
+      const std::int64_t swapped = swaps_.perform(mesh_);
+      swapped_ += swapped;
+      return swapped;
+    }
+    std::int64_t swapped() const { return swapped_; }
+
+  private:
+    FoamView mesh_;
+    Domain domain_;
+    SwapsAtOnce<Machine>& swaps_;
+    double t1_length_;
+    std::int64_t swapped_ = 0;
+  };
+
+  Machine& machine_;
+  EquilibratorOptions options_;
+  Newton<Machine> newton_;
+  KrylovSolver<Machine> solver_;
+  SwapsAtOnce<Machine> swaps_;
+};
+
+} // namespace foam::newton

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Newton's equations for a whole foam without a matrix, on a machine (parallel/host.h): one thread
+// a film takes its second derivatives, half-angle eliminated, and a product gathers them, one
+// thread a junction or a bubble.
+//
+// A vector has all junctions' displacements (x, y), in units of the bubbles' mean spacing ℓ, then
+// all bubbles' pressures in units of T/ℓ. Elements that are absent or held have zeros.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "equilibrium/evaluation.h"
+#include "parallel/kernels.h"
+
+namespace foam::newton {
+
+// Displacements of a vector, x and y of each place in turn: junctions or, on grids, nodes.
+FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Index place) {
+  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
+  return {vector[x], vector[x + 1]};
+}
+FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Junction junction) {
+  return displacement(vector, junction.index());
+}
+FOAM_HOST_DEVICE inline void set_displacement(double* vector, Index place, Vec2 value) {
+  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
+  vector[x] = value.x;
+  vector[x + 1] = value.y;
+}
+FOAM_HOST_DEVICE inline void set_displacement(double* vector, Junction junction, Vec2 value) {
+  set_displacement(vector, junction.index(), value);
+}
+
+/// Length of a vector.
+inline Index size_of(const ConstFoamView& mesh) {
+  return 2 * mesh.junctions + mesh.bubbles;
+}
+
+/// The pressures of a vector.
+template <class Value>
+FOAM_HOST_DEVICE FieldView<Bubble, Value> pressures_of(const ConstFoamView& mesh, Value* vector) {
+  return FieldView<Bubble, Value>(vector + 2 * std::ptrdiff_t{mesh.junctions});
+}
+
+/// Of a bubble or an outside.
+FOAM_HOST_DEVICE inline double pressure_in(const ConstFoamView& mesh, const double* vector,
+                                           Bubble bubble) {
+  return bubble.is_outside() ? 0 : pressures_of(mesh, vector)[bubble];
+}
+
+/// Dimensionless derivatives of a film's φ, half-angle not eliminated yet.
+/// \param springs what is added to the energy's second derivatives, in units of a stretched
+/// film's: 0 for Newton's own equations; with 1 the films are springs, and the matrix that of a
+/// minimum wherever the foam is. ∂²φ/∂α² is kept away from 0, where arcs of 90° have it.
+FOAM_HOST_DEVICE inline FilmLagrangian film_derivatives(const ConstFoamView& mesh, Film film,
+                                                        const Units& units, double springs) {
+  constexpr double kSmallestPivot = 0.1; // of the tension times d
+  const Half h = film.half();
+  const Vec2 chord = (1 / units.length) * mesh.chord(h);
+  const double q = mesh.pressure_difference(h) / units.pressure();
+  const double tension = mesh.relative_tension(film);
+  FilmLagrangian phi = film_lagrangian(chord, mesh.half_angle(h), q, tension);
+  const double d = norm(chord);
+  const std::array<double, 4> along{-chord.x / d, -chord.y / d, chord.x / d, chord.y / d};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      phi.hessian[i][k] += springs * tension / d * along[i] * along[k];
+    }
+  }
+  double& pivot = phi.hessian[FilmLagrangian::kAngle][FilmLagrangian::kAngle];
+  pivot += springs * tension * d;
+  const double smallest = kSmallestPivot * tension * d;
+  pivot = pivot < 0 ? std::min(pivot, -smallest) : std::max(pivot, smallest);
+  return phi;
+}
+
+/// A film's second derivatives, half-angle eliminated, seen from its half(); those from the twin
+/// differ in the sign of `jump` and `polygon`.
+struct FilmStiffness {
+  double xx = 0, xy = 0, yy = 0; ///< ∂²φ/∂D²
+  double jump = 0;               ///< ½q, of φ's −q·½ a×b
+  Vec2 segment;                  ///< how the segment's area grows with D
+  Vec2 polygon;                  ///< how ½ a×b grows with either end
+  double compliance = 0;         ///< how the segment's area grows with q
+
+  FOAM_HOST_DEVICE Vec2 times(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
+  /// How the area on the left of h grows as h's start moves.
+  FOAM_HOST_DEVICE Vec2 start_slope(Half h) const {
+    return (h.reversed() ? -polygon : polygon) - segment;
+  }
+  /// The same of h's end.
+  FOAM_HOST_DEVICE Vec2 end_slope(Half h) const {
+    return (h.reversed() ? -polygon : polygon) + segment;
+  }
+};
+
+FOAM_HOST_DEVICE inline FilmStiffness film_stiffness(FilmLagrangian phi) {
+  FilmStiffness film;
+  film.jump = -0.5 * (phi.hessian[0][3] - phi.hessian[1][2]);
+  eliminate_angle(phi);
+  film.xx = phi.hessian[2][2];
+  film.xy = phi.hessian[2][3];
+  film.yy = phi.hessian[3][3];
+  const Vec2 at_start{-phi.hessian[4][0], -phi.hessian[4][1]};
+  const Vec2 at_end{-phi.hessian[4][2], -phi.hessian[4][3]};
+  film.segment = 0.5 * (at_end - at_start);
+  film.polygon = 0.5 * (at_end + at_start);
+  film.compliance = phi.hessian[4][5];
+  return film;
+}
+
+/// The matrix K of Newton's equations.
+struct WholeFoamMatrix {
+  ConstFoamView mesh;
+  FieldView<Film, const FilmStiffness> film; ///< zeros for those of a wall
+
+  FOAM_HOST_DEVICE Vec2 junction_row(const double* x, Junction junction) const {
+    Vec2 sum;
+    if (!mesh.moves(junction)) {
+      return sum;
+    }
+    const Vec2 own = displacement(x, junction);
+    for (const Half h : mesh.junction_half[junction]) {
+      const FilmStiffness& f = film[h.film()];
+      const Vec2 other = displacement(x, mesh.end(h));
+      const double q = pressure_in(mesh, x, mesh.left(h)) - pressure_in(mesh, x, mesh.right(h));
+      sum += f.times(own - other) + (h.reversed() ? -f.jump : f.jump) * left_normal(other) -
+             q * f.start_slope(h);
+    }
+    return sum;
+  }
+
+  FOAM_HOST_DEVICE double bubble_row(const double* x, Bubble bubble) const {
+    if (!mesh.has_bubble(bubble)) {
+      return 0;
+    }
+    const double own = pressure_in(mesh, x, bubble);
+    double growth = 0;
+    for_each_half(mesh, bubble, [&](Half h) {
+      const FilmStiffness& f = film[h.film()];
+      growth += dot(f.start_slope(h), displacement(x, mesh.start(h))) +
+                dot(f.end_slope(h), displacement(x, mesh.end(h))) +
+                f.compliance * (own - pressure_in(mesh, x, mesh.right(h)));
+    });
+    return -growth;
+  }
+};
+
+/// to ← K·x
+template <class Machine>
+void multiply(Machine& machine, const WholeFoamMatrix& matrix, const double* x, double* to) {
+  const Index junctions = matrix.mesh.junctions;
+  machine.for_each(
+      junctions + matrix.mesh.bubbles, FOAM_KERNEL(Index i) {
+        if (i < junctions) {
+          set_displacement(to, i, matrix.junction_row(x, Junction(i)));
+        } else {
+          to[junctions + i] = matrix.bubble_row(x, Bubble(i - junctions));
+        }
+      });
+}
+
+/// What a film adds to the right-hand side, half-angle eliminated, seen from its half().
+struct FilmGradient {
+  Vec2 start, end;
+  double left = 0; ///< by the pressure on the left, and its negative by that on the right
+};
+
+FOAM_HOST_DEVICE inline FilmGradient film_gradient(FilmLagrangian phi) {
+  eliminate_angle(phi);
+  return {{phi.gradient[0], phi.gradient[1]}, {phi.gradient[2], phi.gradient[3]}, phi.gradient[4]};
+}
+
+/// Takes the derivatives of all films.
+template <class Machine>
+void linearise(Machine& machine, const ConstFoamView& mesh, const Units& units, double springs,
+               const FieldView<Film, FilmStiffness>& stiffness,
+               const FieldView<Film, FilmGradient>& gradient) {
+  machine.for_each(
+      mesh.film_slots(), FOAM_KERNEL(Film f) {
+        stiffness[f] = {};
+        gradient[f] = {};
+        if (mesh.bends(f)) {
+          const FilmLagrangian phi = film_derivatives(mesh, f, units, springs);
+          stiffness[f] = film_stiffness(phi);
+          gradient[f] = film_gradient(phi);
+        }
+      });
+}
+
+/// What is left of equilibrium at a junction, as its films' gradients have it.
+FOAM_HOST_DEVICE inline Vec2 load_of(const ConstFoamView& mesh,
+                                     const FieldView<Film, const FilmGradient>& gradient,
+                                     Junction junction) {
+  Vec2 sum;
+  if (mesh.moves(junction)) {
+    for (const Half h : mesh.junction_half[junction]) {
+      const FilmGradient& film = gradient[h.film()];
+      sum -= h.reversed() ? film.end : film.start;
+    }
+  }
+  return sum;
+}
+
+/// A bubble's excess of area as far as one step asks for it, with what the eliminated angles make
+/// of it.
+FOAM_HOST_DEVICE inline double load_of(const ConstFoamView& mesh, const Units& units,
+                                       const FieldView<Bubble, const double>& areas,
+                                       const FieldView<Film, const FilmGradient>& gradient,
+                                       Bubble bubble) {
+  if (!mesh.has_bubble(bubble)) {
+    return 0;
+  }
+  double sum = bounded_excess(mesh, areas, bubble) / units.area();
+  for_each_half(mesh, bubble, [&](Half h) {
+    const double left = gradient[h.film()].left;
+    sum -= h.reversed() ? -left : left;
+  });
+  return sum;
+}
+
+/// The right-hand side of Newton's equations, that is minus the gradient.
+/// \param areas of the bubbles, cm²
+template <class Machine>
+void gather_load(Machine& machine, const ConstFoamView& mesh, const Units& units,
+                 const FieldView<Bubble, const double>& areas,
+                 const FieldView<Film, const FilmGradient>& gradient, double* to) {
+  const FieldView<Bubble, double> pressures = pressures_of(mesh, to);
+  machine.for_each(
+      mesh.junction_slots(),
+      FOAM_KERNEL(Junction j) { set_displacement(to, j, load_of(mesh, gradient, j)); });
+  machine.for_each(
+      mesh.bubble_slots(),
+      FOAM_KERNEL(Bubble b) { pressures[b] = load_of(mesh, units, areas, gradient, b); });
+}
+
+/// How the eliminated half-angle of a film answers to a solution, rad.
+FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film,
+                                            const Units& units, double springs,
+                                            const double* solution) {
+  constexpr auto k = FilmLagrangian::kAngle;
+  const Half h = film.half();
+  const FilmLagrangian phi = film_derivatives(mesh, film, units, springs);
+  const Vec2 a = displacement(solution, mesh.start(h));
+  const Vec2 b = displacement(solution, mesh.end(h));
+  const std::array<double, 6> local{a.x,
+                                    a.y,
+                                    b.x,
+                                    b.y,
+                                    pressure_in(mesh, solution, mesh.left(h)),
+                                    pressure_in(mesh, solution, mesh.right(h))};
+  double sum = phi.gradient[k];
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    sum += phi.hessian[k][i] * local[i];
+  }
+  return -sum / phi.hessian[k][k];
+}
+
+/// The step that a solution is.
+template <class Machine>
+void take_step(Machine& machine, const ConstFoamView& mesh, const Units& units, double springs,
+               const double* solution, const StepView& step) {
+  machine.for_each(
+      mesh.junction_slots(),
+      FOAM_KERNEL(Junction j) { step.junction[j] = units.length * displacement(solution, j); });
+  machine.for_each(
+      mesh.bubble_slots(), FOAM_KERNEL(Bubble b) {
+        step.pressure[b] = units.pressure() * pressure_in(mesh, solution, b);
+      });
+  machine.for_each(
+      mesh.film_slots(), FOAM_KERNEL(Film f) {
+        step.angle[f] = mesh.bends(f) ? angle_change(mesh, f, units, springs, solution) : 0;
+      });
+}
+
+} // namespace foam::newton

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How far a whole foam is from equilibrium, on any machine (parallel/host.h).
+#pragma once
+
+#include <algorithm>
+
+#include "mesh/element_measures.h"
+#include "mesh/foam_view.h"
+#include "parallel/kernels.h"
+
+namespace foam {
+
+/// How far a foam is from equilibrium, and whether it is possible.
+struct EquilibriumMeasures {
+  double angle_error = 0; ///< rad
+  double area_error = 0;  ///< relative
+  bool possible = true;   ///< no junction is inverted, no bubble inside out
+
+  /// The worse of each.
+  friend FOAM_HOST_DEVICE EquilibriumMeasures operator+(const EquilibriumMeasures& a,
+                                                        const EquilibriumMeasures& b) {
+    return {std::max(a.angle_error, b.angle_error), std::max(a.area_error, b.area_error),
+            a.possible && b.possible};
+  }
+};
+
+template <class Machine>
+EquilibriumMeasures measure_equilibrium(Machine& machine, const ConstFoamView& mesh) {
+  const EquilibriumMeasures of_junctions = machine.reduce(
+      mesh.junction_slots(), EquilibriumMeasures{},
+      FOAM_KERNEL(Junction j) {
+        return mesh.moves(j)
+                   ? EquilibriumMeasures{angle_error(mesh, j), 0, counter_clockwise(mesh, j)}
+                   : EquilibriumMeasures{};
+      },
+      parallel::Add{});
+  return machine.reduce(
+      mesh.bubble_slots(), of_junctions,
+      FOAM_KERNEL(Bubble b) {
+        return mesh.has_bubble(b) ? EquilibriumMeasures{0, area_error(mesh, b), mesh.area(b) > 0}
+                                  : EquilibriumMeasures{};
+      },
+      parallel::Add{});
+}
+
+} // namespace foam

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// T1s on the way to equilibrium: films that a step shortens further although they are short are
+// swapped after it, if they are pulled shut then (physics/swap_rule.h). One after the other in a
+// Foam, or many at once on any machine (parallel/host.h).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "equilibrium/step.h"
+#include "physics/swap_rule.h"
+#include "topology/bidding.h"
+#include "topology/local_operations.h"
+#include "topology/operations.h"
+
+namespace foam::newton {
+
+inline constexpr std::uint8_t kLargestSwapCount = 4; // of one film in one equilibration
+
+/// Whether a step shortens a film further although it is short. Each swap of a film asks for it to
+/// be four times shorter, so that no film is swapped back and forth.
+/// \param t1_length cm \param swaps how often it has been swapped
+FOAM_HOST_DEVICE inline bool closes(const ConstFoamView& mesh, Film film, const StepView& step,
+                                    double t1_length, std::uint8_t swaps) {
+  return mesh.bends(film) && swaps < kLargestSwapCount &&
+         mesh.length(film.half()) <= t1_length * std::pow(0.25, static_cast<double>(swaps)) &&
+         dot(mesh.chord(film.half()), step.chord_change(mesh, film)) < 0;
+}
+
+/// Whether a closing film is to be swapped. Three-sided bubbles keep their sides: they vanish by
+/// T2.
+template <class Mesh> FOAM_HOST_DEVICE bool may_be_swapped(const Mesh& mesh, Film film) {
+  return spares_sides(mesh, film) && can_perform_t1(mesh, film) && pulled_shut(mesh, film);
+}
+
+/// Swaps one after the other, the shortest first, no two at one junction.
+class SwapsInTurn {
+public:
+  /// Begins an equilibration: no film has been swapped.
+  void begin(const Foam& foam) {
+    for (const Film f : swapped_) {
+      count_[f] = 0;
+    }
+    swapped_.clear();
+    count_.resize(foam.film_angle.size(), 0);
+  }
+
+  /// Marks the films that a step closes.
+  void mark(const Foam& foam, const Domain& domain, const StepView& step, double t1_length) {
+    const ConstFoamView mesh = view_of(foam);
+    closing_.clear();
+    for (Index i = 0; i < domain.films.size(); ++i) {
+      const Film f = domain.films[i];
+      if (closes(mesh, f, step, t1_length, count_[f])) {
+        closing_.push_back({mesh.length(f.half()), f});
+      }
+    }
+    std::ranges::sort(closing_, [](const Closing& a, const Closing& b) {
+      return a.length < b.length || (a.length == b.length && a.film < b.film);
+    });
+  }
+
+  /// Swaps those of them that may be. \returns the bubbles around them
+  std::vector<Bubble> perform(Foam& foam) {
+    std::vector<Bubble> touched;
+    std::vector<Junction> used;
+    for (const auto& [length, film] : closing_) {
+      const std::array ends{foam.start(film.half()), foam.end(film.half())};
+      const bool taken = std::ranges::find_first_of(used, ends) != used.end();
+      if (!taken && may_be_swapped(foam, film)) {
+        perform_t1(foam, film);
+        ++count_[film];
+        swapped_.push_back(film);
+        used.insert(used.end(), ends.begin(), ends.end());
+        for (const Junction j : ends) {
+          for (const Half h : foam.junction_half[j]) {
+            touched.push_back(foam.left(h));
+          }
+        }
+      }
+    }
+    return touched;
+  }
+
+private:
+  struct Closing {
+    double length; ///< cm
+    Film film;
+  };
+
+  Field<Film, std::uint8_t> count_; ///< how often each has been swapped
+  std::vector<Film> swapped_;
+  std::vector<Closing> closing_;
+};
+
+/// T1s of closing films that may be swapped, the shortest first.
+struct ClosingFilmBids {
+  FieldView<Film, std::uint8_t> closing; ///< 0 once it is swapped
+  FieldView<Film, std::uint8_t> swaps;   ///< how often it has been
+
+  template <class Mesh> FOAM_HOST_DEVICE static Slots<Film> candidates(const Mesh& mesh) {
+    return mesh.film_slots();
+  }
+  FOAM_HOST_DEVICE std::uint64_t key(const ConstFoamView& mesh, Film film) const {
+    return closing[film] && may_be_swapped(mesh, film)
+               ? bid_key(false, mesh.length(film.half()), film.index())
+               : kNoBid;
+  }
+  FOAM_HOST_DEVICE static Touched bubbles(const ConstFoamView& mesh, Film film) {
+    return bubbles_around_film(mesh, film);
+  }
+  FOAM_HOST_DEVICE static Performed count(const ConstFoamView& /*mesh*/, Film /*film*/) {
+    return {1};
+  }
+  FOAM_HOST_DEVICE void perform(FoamView& mesh, Film film) const {
+    swap_film(mesh, film);
+    closing[film] = 0;
+    ++swaps[film];
+  }
+};
+
+/// Swaps many at once (topology/bidding.h).
+template <class Machine> class SwapsAtOnce {
+public:
+  explicit SwapsAtOnce(Machine& machine) : machine_(machine), bidding_(machine) {}
+
+  /// Begins an equilibration: no film has been swapped.
+  void begin(const FoamView& mesh) {
+    count_.resize(place_of(mesh.films));
+    closing_.resize(place_of(mesh.films));
+    machine_.for_each(mesh.films, parallel::Fill<std::uint8_t>{count_.data(), 0});
+  }
+
+  /// Marks the films that a step closes.
+  void mark(const FoamView& mesh, const StepView& step, double t1_length) {
+    const ConstFoamView foam = const_view(mesh);
+    const FieldView<Film, std::uint8_t> closing(closing_.data());
+    const FieldView<Film, std::uint8_t> count(count_.data());
+    machine_.for_each(
+        mesh.film_slots(),
+        FOAM_KERNEL(Film f) { closing[f] = closes(foam, f, step, t1_length, count[f]) ? 1 : 0; });
+  }
+
+  /// Swaps those of them that may be. \returns how many
+  std::int64_t perform(const FoamView& mesh) {
+    const ClosingFilmBids bids{FieldView<Film, std::uint8_t>(closing_.data()),
+                               FieldView<Film, std::uint8_t>(count_.data())};
+    return bidding_.run(mesh, bids).count;
+  }
+
+private:
+  Machine& machine_;
+  Bidding<Machine> bidding_;
+  typename Machine::template Array<std::uint8_t> count_; ///< how often each has been swapped
+  typename Machine::template Array<std::uint8_t> closing_;
+};
+
+} // namespace foam::newton

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What costs a foam nothing: in closed surroundings a common pressure, as only differences of
+// pressure act there; and motions of the whole, which nothing but a wall resists, on a torus but
+// for rotations. On a machine (parallel/host.h).
+#pragma once
+
+#include "equilibrium/domain.h"
+#include "parallel/kernels.h"
+
+namespace foam::newton {
+
+/// What holds them where a matrix is factorised: too small to be felt elsewhere, in units of T/ℓ
+/// for positions, and with the other sign of ℓ³/T for pressures.
+inline constexpr double kRegularisation = 1e-8;
+
+/// Takes the mean out of the pressures of some bubbles, where it means nothing.
+template <class Machine>
+void remove_common_pressure(Machine& machine, const ConstFoamView& mesh,
+                            const Elements<Bubble>& bubbles,
+                            const FieldView<Bubble, double>& pressure) {
+  if (!mesh.surroundings.closed()) {
+    return;
+  }
+  const Index count = machine.reduce(
+      bubbles, Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
+      parallel::Add{});
+  const double sum = machine.reduce(
+      bubbles, 0.0, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? pressure[b] : 0; },
+      parallel::Add{});
+  const double mean = sum / count;
+  machine.for_each(
+      bubbles, FOAM_KERNEL(Bubble b) {
+        if (mesh.has_bubble(b)) {
+          pressure[b] -= mean;
+        }
+      });
+}
+
+/// Means over a foam's junctions.
+struct RigidMeans {
+  Vec2 translation, centre;
+
+  friend FOAM_HOST_DEVICE RigidMeans operator+(const RigidMeans& a, const RigidMeans& b) {
+    return {a.translation + b.translation, a.centre + b.centre};
+  }
+};
+
+/// Takes motions of the whole foam out of displacements, x and y of each junction of the domain in
+/// turn: rounding decides how much of them there is.
+template <class Machine>
+void remove_rigid_motion(Machine& machine, const ConstFoamView& mesh, const Domain& domain,
+                         double* displacement) {
+  if (!domain.whole || !mesh.surroundings.translates()) {
+    return;
+  }
+  const Elements<Junction> junctions = domain.junctions;
+  const Index size = junctions.size();
+  const double share =
+      1 / machine.reduce(
+              size, 0.0, FOAM_KERNEL(Index i) { return mesh.moves(junctions[i]) ? 1.0 : 0.0; },
+              parallel::Add{});
+  const RigidMeans means = machine.reduce(
+      size, RigidMeans{},
+      FOAM_KERNEL(Index i) {
+        const Junction j = junctions[i];
+        const Vec2 moved{displacement[2 * i], displacement[2 * i + 1]};
+        return mesh.moves(j) ? RigidMeans{share * moved, share * mesh.position[j]} : RigidMeans{};
+      },
+      parallel::Add{});
+  double rotation = 0;
+  if (mesh.surroundings.rotates()) {
+    // In x the moment of all displacements, in y the moment of inertia.
+    const Vec2 moment = machine.reduce(
+        size, Vec2{},
+        FOAM_KERNEL(Index i) {
+          const Junction j = junctions[i];
+          const Vec2 moved{displacement[2 * i], displacement[2 * i + 1]};
+          const Vec2 r = mesh.position[j] - means.centre;
+          return mesh.moves(j) ? Vec2{cross(r, moved), dot(r, r)} : Vec2{};
+        },
+        parallel::Add{});
+    rotation = moment.x / moment.y;
+  }
+  machine.for_each(
+      size, FOAM_KERNEL(Index i) {
+        const Junction j = junctions[i];
+        if (mesh.moves(j)) {
+          const Vec2 r = mesh.position[j] - means.centre;
+          const Vec2 rigid = means.translation + rotation * left_normal(r);
+          displacement[2 * i] -= rigid.x;
+          displacement[2 * i + 1] -= rigid.y;
+        }
+      });
+}
+
+} // namespace foam::newton

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The gas that films let through: one law for bubbles wherever they lie, for a whole foam, and on a
+// machine (parallel/host.h).
+#pragma once
+
+#include "mesh/foam_view.h"
+#include "parallel/kernels.h"
+
+namespace foam {
+
+/// Von Neumann's rate of growth per side beyond six (thesis 2.4.5), K = (2π/3)γκ, cm²/s.
+double von_neumann_constant(double surface_tension, double kappa);
+
+/// What a film lets through per length and pressure difference: κ, and nothing if it is a piece of
+/// a wall.
+template <class Mesh> FOAM_HOST_DEVICE double permeability(const Mesh& mesh, Half h, double kappa) {
+  return mesh.wall(h) ? 0 : kappa;
+}
+
+/// dA/dt of a bubble from the gas that its films let through, −Σ κ·l·Δp (thesis 2.4.1), cm²/s.
+template <class Mesh>
+FOAM_HOST_DEVICE double gas_transfer(const Mesh& mesh, Bubble bubble, double kappa) {
+  double inflow = 0;
+  for_each_half(mesh, bubble, [&](Half h) {
+    inflow -= permeability(mesh, h, kappa) * mesh.length(h) * mesh.pressure_difference(h);
+  });
+  return inflow;
+}
+
+/// The rate at which a bubble's target area changes, cm²/s. Where all films have one tension it is
+/// von Neumann's K(n − 6) (thesis 2.4.5), also on the free boundary, where n counts the outer film.
+/// Where films do not meet at 120° all around the bubble, at a wall or with tensions of their own,
+/// it is the gas transfer itself, measured.
+struct AreaRate {
+  ConstFoamView mesh;
+  double constant = 0; ///< K, cm²/s
+  double kappa = 0;
+
+  FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
+    return measured(bubble) ? gas_transfer(mesh, bubble, kappa)
+                            : constant * (mesh.sides[bubble] - 6);
+  }
+
+  /// Whether the bubble takes a share of what the total is off, in a closed foam, where no gas is
+  /// lost: those do whose rate is measured.
+  FOAM_HOST_DEVICE bool evens_out(Bubble bubble) const {
+    return mesh.surroundings.closed() && measured(bubble);
+  }
+
+private:
+  FOAM_HOST_DEVICE bool measured(Bubble bubble) const {
+    return !mesh.has_uniform_tension() ||
+           (mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble));
+  }
+};
+
+AreaRate area_rate(const ConstFoamView& mesh, double kappa);
+
+/// Over all bubbles.
+struct BubbleSums {
+  double target_area = 0; ///< cm²
+  double rate = 0;        ///< dA^τ/dt, cm²/s
+  double even_out = 0;    ///< how many share what the total is off
+  Index bubbles = 0;
+
+  double mean_area() const { return target_area / bubbles; }
+  /// Of the rate of each bubble that evens out, cm²/s: rounding, and what the equilibrium's
+  /// tolerance leaves.
+  double excess() const { return even_out > 0 ? rate / even_out : 0; }
+
+  friend FOAM_HOST_DEVICE BubbleSums operator+(const BubbleSums& a, const BubbleSums& b) {
+    return {a.target_area + b.target_area, a.rate + b.rate, a.even_out + b.even_out,
+            a.bubbles + b.bubbles};
+  }
+};
+
+namespace detail {
+
+template <class Rate> struct SumBubble {
+  ConstFoamView mesh;
+  Rate rate;
+
+  FOAM_HOST_DEVICE BubbleSums operator()(Bubble bubble) const {
+    if (!mesh.has_bubble(bubble)) {
+      return {};
+    }
+    return {mesh.target_area[bubble], rate(bubble), rate.evens_out(bubble) ? 1.0 : 0.0, 1};
+  }
+};
+
+template <class Rate> FOAM_HOST_DEVICE double even(const Rate& rate, Bubble bubble, double excess) {
+  return rate(bubble) - (rate.evens_out(bubble) ? excess : 0);
+}
+
+/// A^τ ← A^τ + dA/dt·Δt (3.7.1).
+template <class Rate> struct Diffuse {
+  FoamView mesh;
+  Rate rate;
+  double excess = 0;    ///< see BubbleSums
+  double time_step = 0; ///< s
+
+  FOAM_HOST_DEVICE void operator()(Bubble bubble) const {
+    if (mesh.has_bubble(bubble)) {
+      mesh.target_area[bubble] += even(rate, bubble, excess) * time_step;
+    }
+  }
+};
+
+} // namespace detail
+
+/// \param rate as AreaRate
+template <class Machine, class Rate>
+BubbleSums sum_bubbles(Machine& machine, const ConstFoamView& mesh, const Rate& rate) {
+  return machine.reduce(mesh.bubble_slots(), BubbleSums{}, detail::SumBubble<Rate>{mesh, rate},
+                        parallel::Add{});
+}
+
+/// Diffusion through a time step (s). A rate may depend on its bubble's target area, on no other's.
+template <class Machine, class Rate>
+void diffuse(Machine& machine, const FoamView& mesh, const Rate& rate, const BubbleSums& sums,
+             double time_step) {
+  machine.for_each(mesh.bubble_slots(),
+                   detail::Diffuse<Rate>{mesh, rate, sums.excess(), time_step});
+}
+
+/// The rates of all bubbles, 0 for those that are gone; a closed foam's total is conserved.
+Field<Bubble, double> area_rates(const Foam& foam, double kappa);
+
+} // namespace foam

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Newton's linear systems solved by MINRES (core/equilibrium/parallel_newton.h) beside a sparse
-// factorisation: iterations, which are the same on every machine, and processor time. The foams are
-// disordered honeycombs in equilibrium, and they answer to a frame of diffusion. Writes a table in
-// Markdown. Arguments: bubbles along a side of the foam, as many as wanted.
+// factorisation: iterations, which are the same on every machine, and processor time. The foams
+// are disordered honeycombs in equilibrium, and they answer to a frame of diffusion. Writes a table
+// in Markdown. Arguments: bubbles along a side of the foam, as many as wanted.
 #include <algorithm>
 #include <ctime>
 #include <iostream>
@@ -11,7 +11,7 @@
 
 #include "construct/honeycomb.h"
 #include "equilibrium/factorising_solver.h"
-#include "equilibrium/machine_newton.h"
+#include "equilibrium/whole_foam_newton.h"
 #include "parallel/host.h"
 
 namespace foam {
@@ -84,7 +84,7 @@ double factorise_and_solve(const Foam& foam) {
 void measure(Index side) {
   Foam foam = honeycomb({.columns = side, .rows = side, .displacement = 0.15, .swaps = 0.2});
   Host host;
-  newton::MachineNewton<Host> equilibrator(host, {});
+  newton::WholeFoamNewton<Host> equilibrator(host, {});
   const newton::NewtonResult found =
       equilibrator.equilibrate(view_of(foam), 0.1 * foam.mean_spacing(), {});
   std::cout << "| " << side * side << " | " << found.report.iterations << " | "

@@ -9,19 +9,19 @@
 #include "parallel/host.h"
 #include "thesis/rules.h"
 #include "thesis/update_order.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 
 namespace foam {
 namespace {
 
-/// Rounds of bidding until nothing gives way.
+/// Rounds of reservations until nothing gives way.
 int rounds(Host& host, Foam& foam, const ThesisRules& rules) {
   Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
-  Bidding<Host> bidding(host);
+  Reservations<Host> reservations(host);
   int rounds = 0;
   for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-    performed = bidding.round(view_of(foam),
-                              CollapseBids{rules, FieldView<Film, std::uint8_t>(swappable.data())});
+    performed = reservations.round(
+        view_of(foam), CollapseOperations{rules, FieldView<Film, std::uint8_t>(swappable.data())});
     count(foam, performed);
   }
   return rounds;

@@ -3,12 +3,12 @@
 // What runs on a GPU, on the processor.
 #pragma once
 
-#include "equilibrium/machine_equilibrator.h"
+#include "equilibrium/executor_equilibrator.h"
 #include "parallel/host.h"
 
 namespace foam::test {
 
-/// A foam's copy on the processor, as MachineEquilibrator wants one.
+/// A foam's copy on the processor, as ExecutorEquilibrator wants one.
 class HostCopy {
 public:
   void upload(const Foam& foam) { foam_ = foam; }
@@ -21,17 +21,17 @@ private:
   Foam foam_;
 };
 
-using KrylovEquilibrator = MachineEquilibrator<Host, HostCopy>;
+using KrylovEquilibrator = ExecutorEquilibrator<Host, HostCopy>;
 
-/// Newton's equations of a whole foam, on any machine.
-template <class Machine> class NewtonSystem {
+/// Newton's equations of a whole foam, on any executor.
+template <class Executor> class NewtonSystem {
 public:
-  NewtonSystem(Machine& machine, const FoamView& mesh, double spacing, double springs = 0)
-      : machine_(machine), mesh_(const_view(mesh)),
+  NewtonSystem(Executor& executor, const FoamView& mesh, double spacing, double convexification = 0)
+      : executor_(executor), mesh_(const_view(mesh)),
         domain_(whole_mesh(mesh_, spacing)), units_{spacing, mesh.reference_tension()},
-        stiffness_(place_of(mesh.films)), gradient_(place_of(mesh.films)), preconditioner_(machine),
-        compressed_(machine) {
-    linearise(machine, mesh_, units_, springs,
+        stiffness_(place_of(mesh.films)), gradient_(place_of(mesh.films)),
+        preconditioner_(executor), compressed_(executor) {
+    linearise(executor, mesh_, units_, convexification,
               FieldView<Film, newton::FilmStiffness>(stiffness_.data()),
               FieldView<Film, newton::FilmGradient>(gradient_.data()));
     preconditioner_.set_up(matrix(), units_);
@@ -47,37 +47,37 @@ public:
                                    : mesh_.has_bubble(Bubble(i - 2 * mesh_.junctions));
   }
 
-  void multiply(const double* x, double* to) { newton::multiply(machine_, matrix(), x, to); }
+  void multiply(const double* x, double* to) { newton::multiply(executor_, matrix(), x, to); }
   void precondition(const double* x, double* to) { preconditioner_.apply(x, to); }
   void load(double* to) {
-    newton::Evaluation<Machine> state;
-    state.evaluate(machine_, mesh_, domain_);
-    gather_load(machine_, mesh_, units_, state.areas(),
+    newton::Evaluation<Executor> state;
+    state.evaluate(executor_, mesh_, domain_);
+    gather_load(executor_, mesh_, units_, state.areas(),
                 FieldView<Film, const newton::FilmGradient>(gradient_.data()), to);
   }
   /// Takes out of a solution, or of a load, what costs nothing.
   void remove_common_pressure(double* x) {
-    newton::remove_common_pressure(machine_, mesh_, domain_.bubbles,
+    newton::remove_common_pressure(executor_, mesh_, domain_.bubbles,
                                    newton::pressures_of(mesh_, x));
   }
-  void remove_rigid_motion(double* x) { newton::remove_rigid_motion(machine_, mesh_, domain_, x); }
+  void remove_rigid_motion(double* x) { newton::remove_rigid_motion(executor_, mesh_, domain_, x); }
   LowerTriangle assemble() { return compressed_.assemble(matrix()); }
   int solve(const double* right, double* x, double tolerance, int most = 500) {
-    return MinimalResidual<Machine>(machine_).solve(
+    return MinimalResidual<Executor>(executor_).solve(
         size(), right, x, tolerance, most,
         [&](const double* from, double* to) { multiply(from, to); },
         [&](const double* from, double* to) { precondition(from, to); });
   }
 
 private:
-  Machine& machine_;
+  Executor& executor_;
   ConstFoamView mesh_;
   Domain domain_;
   newton::Units units_;
-  typename Machine::template Array<newton::FilmStiffness> stiffness_;
-  typename Machine::template Array<newton::FilmGradient> gradient_;
-  newton::FoamPreconditioner<Machine> preconditioner_;
-  newton::CompressedMatrix<Machine> compressed_;
+  typename Executor::template Array<newton::FilmStiffness> stiffness_;
+  typename Executor::template Array<newton::FilmGradient> gradient_;
+  newton::FoamPreconditioner<Executor> preconditioner_;
+  newton::CompressedMatrix<Executor> compressed_;
 };
 
 } // namespace foam::test

@@ -15,7 +15,7 @@ struct LowerTriangle {
   const double* value = nullptr; ///< entries of them
 };
 
-/// Solves sparse symmetric systems by a factorisation, on the machine (parallel/host.h) in whose
+/// Solves sparse symmetric systems by a factorisation, on the executor (parallel/host.h) in whose
 /// memory they are. It takes the three steps of any direct solver, MultifrontalSolver's too, in one
 /// call:
 ///   analyse    from where the matrix has entries, in which order unknowns are eliminated and where

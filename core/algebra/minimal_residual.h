@@ -10,33 +10,33 @@
 namespace foam {
 
 /// a·b
-template <class Machine>
-double dot_product(Machine& machine, Index size, const double* a, const double* b) {
-  return machine.reduce(
+template <class Executor>
+double dot_product(Executor& executor, Index size, const double* a, const double* b) {
+  return executor.reduce(
       size, 0.0, FOAM_KERNEL(Index i) { return a[i] * b[i]; }, parallel::Add{});
 }
 
 /// |a − b|²
-template <class Machine>
-double squared_distance(Machine& machine, Index size, const double* a, const double* b) {
-  return machine.reduce(
+template <class Executor>
+double squared_distance(Executor& executor, Index size, const double* a, const double* b) {
+  return executor.reduce(
       size, 0.0, FOAM_KERNEL(Index i) { return (a[i] - b[i]) * (a[i] - b[i]); }, parallel::Add{});
 }
 
 /// a ← factor·a
-template <class Machine> void rescale(Machine& machine, Index size, double* a, double factor) {
-  machine.for_each(
+template <class Executor> void rescale(Executor& executor, Index size, double* a, double factor) {
+  executor.for_each(
       size, FOAM_KERNEL(Index i) { a[i] *= factor; });
 }
 
 /// MINRES for a symmetric indefinite matrix with a symmetric positive definite preconditioner (C.
 /// C. Paige, M. A. Saunders, SIAM J. Numer. Anal. 12, 617, 1975; preconditioned as in H. Elman, D.
 /// Silvester, A. Wathen, Finite Elements and Fast Iterative Solvers, 2nd ed., 2014, algorithm 4.1),
-/// on a machine (parallel/host.h). A singular matrix is no obstacle to it if the equations have a
+/// on an executor (parallel/host.h). A singular matrix is no obstacle to it if the equations have a
 /// solution. Seven vectors, whatever the number of iterations.
-template <class Machine> class MinimalResidual {
+template <class Executor> class MinimalResidual {
 public:
-  explicit MinimalResidual(Machine& machine) : machine_(machine) {}
+  explicit MinimalResidual(Executor& executor) : executor_(executor) {}
 
   /// Solves for x from zero until the residual, in the preconditioner's norm, has fallen to
   /// `tolerance` of what it was.
@@ -50,11 +50,11 @@ public:
       vector->resize(static_cast<std::size_t>(size));
     }
     for (double* vector : {last_.data(), d_last_.data(), d_now_.data(), x}) {
-      machine_.for_each(size, parallel::Fill<double>{vector, 0});
+      executor_.for_each(size, parallel::Fill<double>{vector, 0});
     }
-    machine_.for_each(size, parallel::Copy<double>{b, now_.data()});
+    executor_.for_each(size, parallel::Copy<double>{b, now_.data()});
     precondition(now_.data(), z_.data());
-    double gamma = std::sqrt(dot_product(machine_, size, z_.data(), now_.data()));
+    double gamma = std::sqrt(dot_product(executor_, size, z_.data(), now_.data()));
     double last_gamma = 1;
     const double target = tolerance * gamma;
     double eta = gamma;
@@ -62,13 +62,13 @@ public:
     int iterations = 0;
     while (std::abs(eta) > target && iterations < maximum_iterations) {
       ++iterations;
-      rescale(machine_, size, z_.data(), 1 / gamma);
+      rescale(executor_, size, z_.data(), 1 / gamma);
       multiply(z_.data(), next_.data());
-      const double delta = dot_product(machine_, size, next_.data(), z_.data());
+      const double delta = dot_product(executor_, size, next_.data(), z_.data());
       orthogonalise(size, delta / gamma, gamma / last_gamma);
       precondition(next_.data(), next_z_.data());
       const double next_gamma =
-          std::sqrt(std::max(dot_product(machine_, size, next_z_.data(), next_.data()), 0.0));
+          std::sqrt(std::max(dot_product(executor_, size, next_z_.data(), next_.data()), 0.0));
       // Givens rotations of the tridiagonal matrix's last column.
       const double a0 = c * delta - c_last * s * gamma;
       const double a1 = std::hypot(a0, next_gamma);
@@ -97,7 +97,7 @@ public:
     double* const next = next_.data();
     const double* const now = now_.data();
     const double* const last = last_.data();
-    machine_.for_each(
+    executor_.for_each(
         size, FOAM_KERNEL(Index i) { next[i] -= by_now * now[i] + by_last * last[i]; });
   }
 
@@ -106,7 +106,7 @@ public:
     const double* const z = z_.data();
     double* const d = d_last_.data();
     const double* const d_now = d_now_.data();
-    machine_.for_each(
+    executor_.for_each(
         size, FOAM_KERNEL(Index i) {
           d[i] = (z[i] - by_last * d[i] - by_now * d_now[i]) / norm;
           x[i] += step * d[i];
@@ -114,9 +114,9 @@ public:
   }
 
 private:
-  using Vector = typename Machine::template Array<double>;
+  using Vector = typename Executor::template Array<double>;
 
-  Machine& machine_;
+  Executor& executor_;
   Vector last_, now_, next_; ///< Lanczos vectors
   Vector z_, next_z_;        ///< the last two, preconditioned
   Vector d_last_, d_now_;    ///< directions

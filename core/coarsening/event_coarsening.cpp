@@ -23,7 +23,7 @@ constexpr double kReached = 1e-9;            // relative slack of a threshold th
 constexpr double kFinestStep = 1.0 / 64;     // of a time step, towards a predicted T1
 constexpr double kFinestStrain = 1.0 / 4096; // of a time step, from one renewal to the next
 constexpr double kLargestChange = 0.25;      // of a chord or an area before the response is renewed
-constexpr double kCarefulTolerance = 1e-6;   // of a careful frame's equilibria between events
+constexpr double kFallbackTolerance = 1e-6;  // of a fallback frame's equilibria between events
 constexpr int kEvents = 1024;                // in a frame,
 constexpr int kEventsPerBubble = 16;         // and so many more for every bubble
 constexpr int kRings = 3;                    // around an event that its operations look at
@@ -63,7 +63,7 @@ void EventCoarsening::restart(Foam foam) {
   foam_ = std::move(foam);
   motion_ = {};
   newton_.forget();
-  patience_.assign(foam_.bubble_half.size(), 1.0);
+  back_off_.assign(foam_.bubble_half.size(), 1.0);
 }
 
 void EventCoarsening::undo(State state) {
@@ -71,11 +71,11 @@ void EventCoarsening::undo(State state) {
   foam_ = std::move(state.foam);
   foam_.topology = topology;
   motion_ = std::move(state.motion);
-  patience_ = std::move(state.patience);
+  back_off_ = std::move(state.back_off);
 }
 
 bool EventCoarsening::advance(const AbortCheck& aborted) {
-  const State before{foam_, {}, patience_};
+  const State before{foam_, {}, back_off_};
   iterations_ = 0;
   try {
     bool possible = integrate(false, aborted);
@@ -99,8 +99,8 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   return true;
 }
 
-bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
-  careful_ = careful;
+bool EventCoarsening::integrate(bool fallback, const AbortCheck& aborted) {
+  fallback_ = fallback;
   now_ = 0;
   const double spacing = foam_.mean_spacing();
   limit_ = newton_thresholds(thresholds(foam_, options_.thresholds), spacing);
@@ -111,10 +111,10 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(aborted);
   }
-  expect_all();
+  schedule_all();
   for (const Film f : foam_.film_slots()) {
     if (foam_.bends(f) && film_is_due(f)) {
-      expect({.time = now_, .kind = Event::Kind::Close, .film = f});
+      schedule({.time = now_, .kind = Event::Kind::Close, .film = f});
     }
   }
   int events_left = kEvents + kEventsPerBubble * foam_.bubble_count();
@@ -124,7 +124,7 @@ bool EventCoarsening::integrate(bool careful, const AbortCheck& aborted) {
     }
     now_ = event->time;
     const std::uint64_t topology = foam_.topology;
-    if (events_left < 0 || !settle(*event, aborted)) {
+    if (events_left < 0 || !handle(*event, aborted)) {
       return false;
     }
     events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
@@ -151,7 +151,7 @@ void EventCoarsening::balance_gas() {
     if (foam_.has_bubble(b)) {
       const double gas = foam_.target_area[b];
       lost += foam_.area(b) - gas;
-      if (foam_.surroundings.periodic() || rate.evens_out(b)) {
+      if (foam_.surroundings.periodic() || rate.takes_a_share(b)) {
         share += gas;
         taking_part.push_back(b);
       }
@@ -168,40 +168,40 @@ void EventCoarsening::predict_whole() {
   const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {
-    motion_.take_whole(newton_.region(), *response, !careful_);
+    motion_.take_whole(newton_.region(), *response, !fallback_);
   } else {
     motion_.rest();
   }
 }
 
-void EventCoarsening::expect_all() {
+void EventCoarsening::schedule_all() {
   queue_.clear(foam_);
   for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b)) {
-      expect_bubble(b);
+      schedule_bubble(b);
     }
   }
   for (const Film f : foam_.film_slots()) {
     if (foam_.has_film(f)) {
-      expect_film(f);
+      schedule_film(f);
     }
   }
 }
 
 /// \pre the bubble stands at this instant
-void EventCoarsening::expect_bubble(Bubble bubble) {
+void EventCoarsening::schedule_bubble(Bubble bubble) {
   queue_.cancel(bubble);
   const double rate = motion_.area_rate(bubble);
   if (rate < 0) {
     const double excess = foam_.target_area[bubble] - collapse_area(bubble);
-    expect({.time = now_ + std::max(excess, 0.0) / -rate,
-            .kind = Event::Kind::Collapse,
-            .bubble = bubble});
+    schedule({.time = now_ + std::max(excess, 0.0) / -rate,
+              .kind = Event::Kind::Collapse,
+              .bubble = bubble});
   }
 }
 
 /// \pre the film stands at this instant
-void EventCoarsening::expect_film(Film film) {
+void EventCoarsening::schedule_film(Film film) {
   queue_.cancel(film);
   if (foam_.wall(film.half())) {
     return;
@@ -225,19 +225,19 @@ void EventCoarsening::expect_film(Film film) {
       event.kind = Event::Kind::Strain;
     }
   }
-  expect(event);
+  schedule(event);
 }
 
-void EventCoarsening::expect(const Event& event) {
+void EventCoarsening::schedule(const Event& event) {
   if (event.time < options_.time_step) {
-    queue_.expect(event);
+    queue_.schedule(event);
   }
 }
 
 /// \returns false if a bubble would vanish that cannot.
-bool EventCoarsening::settle(const Event& event, const AbortCheck& aborted) {
+bool EventCoarsening::handle(const Event& event, const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
-    return !foam_.has_bubble(event.bubble) || settle_collapse(event.bubble, aborted);
+    return !foam_.has_bubble(event.bubble) || handle_collapse(event.bubble, aborted);
   }
   const Film film = event.film;
   if (!foam_.has_film(film)) {
@@ -256,11 +256,11 @@ bool EventCoarsening::settle(const Event& event, const AbortCheck& aborted) {
       return true;
     }
   }
-  expect_film(film);
+  schedule_film(film);
   return true;
 }
 
-bool EventCoarsening::settle_collapse(Bubble bubble, const AbortCheck& aborted) {
+bool EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
   const double target = foam_.target_area[bubble];
   if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
@@ -276,22 +276,22 @@ bool EventCoarsening::settle_collapse(Bubble bubble, const AbortCheck& aborted) 
     }
     return result.changed();
   }
-  if (reduce_remnant(bubble, aborted)) {
+  if (reduce_sides(bubble, aborted)) {
     return true;
   }
   if (foam_.target_area[bubble] <= smallest_area_ * (1 + kReached)) {
     return false;
   }
-  patience_[bubble] *= 0.25;
-  expect_bubble(bubble);
+  back_off_[bubble] *= 0.25;
+  schedule_bubble(bubble);
   return true;
 }
 
 /// Takes a side from a bubble that is at its end with more than three, so that three are left at
 /// last: swaps the shortest of its films with which the foam finds an equilibrium. \returns whether
 /// there is one.
-bool EventCoarsening::reduce_remnant(Bubble bubble, const AbortCheck& aborted) {
-  const State before{foam_, motion_, patience_};
+bool EventCoarsening::reduce_sides(Bubble bubble, const AbortCheck& aborted) {
+  const State before{foam_, motion_, back_off_};
   for (const Film film : films_to_swap(before.foam, bubble)) {
     std::vector<Bubble> around{foam_.left(film.half()), foam_.right(film.half())};
     perform_t1(foam_, film);
@@ -343,7 +343,7 @@ CollapseRules EventCoarsening::rules() const {
 bool EventCoarsening::film_is_due(Film film) const {
   return foam_.length(film.half()) <= limit_.t1_length * (1 + kReached) &&
          dot(foam_.chord(film.half()), motion_.chord_rate(foam_, film)) < 0 &&
-         spares_sides(foam_, film) && pulled_shut(foam_, film);
+         spares_sides(foam_, film) && unstable_to_t1(foam_, film);
 }
 
 /// The area at which the bubble is to give way. With more than three sides it does so while there
@@ -352,8 +352,8 @@ double EventCoarsening::collapse_area(Bubble bubble) const {
   if (foam_.sides[bubble] <= 3) {
     return limit_.t2_area;
   }
-  const double room = std::max(limit_.t2_area, kRemnantArea / kSmallestArea * smallest_area_);
-  return std::max(room * patience_[bubble], smallest_area_);
+  const double room = std::max(limit_.t2_area, kManySidedArea / kSmallestArea * smallest_area_);
+  return std::max(room * back_off_[bubble], smallest_area_);
 }
 
 /// After an event at these bubbles.
@@ -370,11 +370,11 @@ bool EventCoarsening::relax_patch(std::span<const Bubble> bubbles, const AbortCh
   };
   const bool converged = newton_.relax_patch(foam_, bubbles, limit_.t1_length, bring, aborted);
   iterations_ += newton_.iterations();
-  if (!careful_) {
+  if (!fallback_) {
     return converged;
   }
   motion_.bring_all(foam_, now_);
-  relax_whole(kCarefulTolerance, aborted);
+  relax_whole(kFallbackTolerance, aborted);
   return foam_.report.converged;
 }
 
@@ -385,9 +385,9 @@ void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {
 
 /// Predicts how what has relaxed goes on.
 void EventCoarsening::move_on() {
-  if (careful_) {
+  if (fallback_) {
     predict_whole();
-    expect_all();
+    schedule_all();
     return;
   }
   const Region& region = newton_.patch_region();
@@ -400,8 +400,8 @@ void EventCoarsening::move_on() {
           newton_.patch_response(foam_, motion_.area_rates(), motion_.rates(), drift())) {
     motion_.take_patch(region, *response);
   }
-  std::ranges::for_each(region.bubbles, [this](Bubble b) { expect_bubble(b); });
-  std::ranges::for_each(region.films, [this](Film f) { expect_film(f); });
+  std::ranges::for_each(region.bubbles, [this](Bubble b) { schedule_bubble(b); });
+  std::ranges::for_each(region.films, [this](Film f) { schedule_film(f); });
 }
 
 } // namespace foam

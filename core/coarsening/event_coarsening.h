@@ -35,24 +35,24 @@ private:
   struct State {
     Foam foam;
     Motion motion;
-    Field<Bubble, double> patience;
+    Field<Bubble, double> back_off;
   };
 
-  bool integrate(bool careful, const AbortCheck& aborted);
+  bool integrate(bool fallback, const AbortCheck& aborted);
   void predict_whole();
   /// At which a foam may leave equilibrium along its response, 1/s: in a frame by so much that one
   /// more step of Newton's method is enough.
   double drift() const { return 300 * options_.equilibrator.tolerance / options_.time_step; }
   void balance_gas();
 
-  void expect_all();
-  void expect_film(Film film);
-  void expect_bubble(Bubble bubble);
-  void expect(const Event& event);
+  void schedule_all();
+  void schedule_film(Film film);
+  void schedule_bubble(Bubble bubble);
+  void schedule(const Event& event);
 
-  bool settle(const Event& event, const AbortCheck& aborted);
-  bool settle_collapse(Bubble bubble, const AbortCheck& aborted);
-  bool reduce_remnant(Bubble bubble, const AbortCheck& aborted);
+  bool handle(const Event& event, const AbortCheck& aborted);
+  bool handle_collapse(Bubble bubble, const AbortCheck& aborted);
+  bool reduce_sides(Bubble bubble, const AbortCheck& aborted);
   void slide_two_sided_bubbles(const AbortCheck& aborted);
   CollapseRules rules() const;
   bool film_is_due(Film film) const;
@@ -72,8 +72,8 @@ private:
   double now_ = 0;                 ///< s from the beginning of the frame
   Thresholds limit_;               ///< in this frame
   double smallest_area_ = 0;       ///< of a bubble, in this frame, cm²
-  Field<Bubble, double> patience_; ///< the part of the T2 area that it waits for
-  bool careful_ = false;           ///< relax the whole foam at every event
+  Field<Bubble, double> back_off_; ///< the part of the T2 area that it waits for
+  bool fallback_ = false;          ///< relax the whole foam at every event
   int iterations_ = 0;
 };
 

@@ -11,7 +11,7 @@ void EventQueue::clear(const Foam& foam) {
   film_version_.assign(foam.film_angle.size(), 0);
 }
 
-void EventQueue::expect(const Event& event) {
+void EventQueue::schedule(const Event& event) {
   entries_.push({event, ++version(event)});
 }
 

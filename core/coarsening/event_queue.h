@@ -30,7 +30,7 @@ class EventQueue {
 public:
   /// Expects nothing.
   void clear(const Foam& foam);
-  void expect(const Event& event);
+  void schedule(const Event& event);
   /// What was expected of the bubble, or of the film, will not be.
   void cancel(Bubble bubble) { ++bubble_version_[bubble]; }
   void cancel(Film film) { ++film_version_[film]; }

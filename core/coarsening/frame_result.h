@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/foam.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 
 namespace foam {
 

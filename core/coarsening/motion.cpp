@@ -8,7 +8,7 @@
 namespace foam {
 
 template <class Element, class Value>
-void Motion::Course<Element, Value>::begin(std::size_t count, double now) {
+void Motion::Trajectory<Element, Value>::begin(std::size_t count, double now) {
   rate.resize(count);
   steady.resize(count, 0);
   bend.assign(count, {});
@@ -16,33 +16,34 @@ void Motion::Course<Element, Value>::begin(std::size_t count, double now) {
 }
 
 template <class Element, class Value>
-void Motion::Course<Element, Value>::take_whole(Element e, const Value& new_rate, bool bends) {
+void Motion::Trajectory<Element, Value>::take_whole(Element e, const Value& new_rate, bool bends) {
   bend[e] = bends && steady[e] ? new_rate - rate[e] : Value{};
   rate[e] = new_rate;
   steady[e] = 1;
 }
 
 template <class Element, class Value>
-void Motion::Course<Element, Value>::take_patch(Element e, const Value& new_rate) {
+void Motion::Trajectory<Element, Value>::take_patch(Element e, const Value& new_rate) {
   bend[e] = {};
   rate[e] = new_rate;
   steady[e] = 0;
 }
 
-template <class Element, class Value> void Motion::Course<Element, Value>::rest() {
+template <class Element, class Value> void Motion::Trajectory<Element, Value>::rest() {
   rate.assign(rate.size(), {});
   bend.assign(bend.size(), {});
   steady.assign(steady.size(), 0);
 }
 
 template <class Element, class Value>
-void Motion::Course<Element, Value>::bring(Field<Element, Value>& values, Element e, double now) {
+void Motion::Trajectory<Element, Value>::bring(Field<Element, Value>& values, Element e,
+                                               double now) {
   values[e] += (now - time[e]) * rate[e];
   time[e] = now;
 }
 
 template <class Element, class Value>
-std::span<const Value> Motion::Course<Element, Value>::expected() {
+std::span<const Value> Motion::Trajectory<Element, Value>::expected() {
   ahead.resize(rate.size());
   std::ranges::transform(rate, bend, ahead.begin(), std::plus<>());
   return ahead;

@@ -46,7 +46,7 @@ public:
   Vec2 chord_rate(const Foam& foam, Film film) const;
 
 private:
-  template <class Element, class Value> struct Course {
+  template <class Element, class Value> struct Trajectory {
     Field<Element, Value> rate;  ///< per s
     Field<Element, Value> bend;  ///< of the rate in all, per s
     Field<Element, char> steady; ///< the rate is a whole response's
@@ -62,11 +62,11 @@ private:
   };
   void bring_bubble(Foam& foam, Bubble bubble, double now);
 
-  Course<Junction, Vec2> junctions_; ///< cm
-  Course<Film, double> angles_;      ///< rad
-  Course<Bubble, double> pressures_; ///< N/cm²
-  Field<Bubble, double> area_rates_; ///< of the targets, cm²/s
-  double begin_ = 0;                 ///< s
+  Trajectory<Junction, Vec2> junctions_; ///< cm
+  Trajectory<Film, double> angles_;      ///< rad
+  Trajectory<Bubble, double> pressures_; ///< N/cm²
+  Field<Bubble, double> area_rates_;     ///< of the targets, cm²/s
+  double begin_ = 0;                     ///< s
 };
 
 } // namespace foam

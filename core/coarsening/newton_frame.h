@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A frame of coarsening in which Newton's method finds the equilibria, every step of it in parallel
-// on a machine (parallel/host.h).
+// on an executor (parallel/host.h).
 //
 // The frame goes in equal steps, so short that no bubble above the thresholds loses more than half
 // of its gas in one, but in no more than kMostSteps. In a step those bubbles give way whose end has
@@ -19,27 +19,28 @@
 #include "coarsening/frame_result.h"
 #include "coarsening/newton_rules.h"
 #include "coarsening/options.h"
-#include "equilibrium/machine_newton.h"
+#include "equilibrium/whole_foam_newton.h"
 #include "parallel/flags.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 
 namespace foam {
 namespace detail {
 
 /// dA^τ/dt, cm²/s, but for bubbles that would lose more gas than they can.
-struct BearableRate {
+struct AdmissibleRate {
   NewtonRules rules;
 
   FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
-    return bearable(bubble) ? rules.rate(bubble) : 0;
+    return admissible(bubble) ? rules.rate(bubble) : 0;
   }
-  FOAM_HOST_DEVICE bool evens_out(Bubble bubble) const {
-    return bearable(bubble) && (mesh().surroundings.periodic() || rules.rate.evens_out(bubble));
+  FOAM_HOST_DEVICE bool takes_a_share(Bubble bubble) const {
+    return admissible(bubble) &&
+           (mesh().surroundings.periodic() || rules.rate.takes_a_share(bubble));
   }
 
 private:
   FOAM_HOST_DEVICE const ConstFoamView& mesh() const { return rules.rate.mesh; }
-  FOAM_HOST_DEVICE bool bearable(Bubble bubble) const {
+  FOAM_HOST_DEVICE bool admissible(Bubble bubble) const {
     return mesh().target_area[bubble] >= rules.needed(bubble);
   }
 };
@@ -67,13 +68,13 @@ struct Vanishes {
 
 } // namespace detail
 
-template <class Machine> class NewtonFrame {
+template <class Executor> class NewtonFrame {
 public:
   /// \param direct see newton::KrylovSolver.
-  NewtonFrame(Machine& machine, const CoarseningOptions& options,
+  NewtonFrame(Executor& executor, const CoarseningOptions& options,
               std::unique_ptr<DirectSolver> direct = nullptr)
-      : machine_(machine), options_(options), bidding_(machine),
-        newton_(machine, options.equilibrator, std::move(direct)), allowed_(machine) {}
+      : executor_(executor), options_(options), reservations_(executor),
+        newton_(executor, options.equilibrator, std::move(direct)), allowed_(executor) {}
 
   /// Advances a mesh by one time step. Where no equilibrium is found it is done once more with
   /// care: in four times as many steps, and with T1s of films up to a tenth of the bubbles'
@@ -87,14 +88,15 @@ public:
 
 private:
   static constexpr double kMostSteps = 16;
-  static constexpr double kCare = 4;        // times as many steps
-  static constexpr double kCarefulT1 = 0.1; // of the mean spacing
+  static constexpr double kFallbackSteps = 4; // times as many steps
+  static constexpr double kFallbackT1 = 0.1;  // of the mean spacing
 
-  FrameResult try_to_advance(const FoamView& mesh, bool careful, const AbortCheck& aborted) {
-    NewtonRules rules = rules_of(mesh, careful);
+  FrameResult try_to_advance(const FoamView& mesh, bool fallback, const AbortCheck& aborted) {
+    NewtonRules rules = rules_of(mesh, fallback);
     const double needed =
-        machine_.reduce(mesh.bubble_slots(), 0.0, detail::StepsOf{rules}, parallel::Larger{});
-    const double steps = (careful ? kCare : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
+        executor_.reduce(mesh.bubble_slots(), 0.0, detail::StepsOf{rules}, parallel::Larger{});
+    const double steps =
+        (fallback ? kFallbackSteps : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
     FrameResult result;
     for (int step = 0; step < steps; ++step) {
@@ -106,16 +108,16 @@ private:
     return result;
   }
 
-  NewtonRules rules_of(const FoamView& mesh, bool careful) {
+  NewtonRules rules_of(const FoamView& mesh, bool fallback) {
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
-    const BubbleSums sums = sum_bubbles(machine_, rate.mesh, rate);
+    const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
     Thresholds limit = newton_thresholds(
-        thresholds(machine_, mesh, sums.target_area, options_.thresholds), spacing);
-    limit.t1_length = std::max(limit.t1_length, careful ? kCarefulT1 * spacing : 0);
+        thresholds(executor_, mesh, sums.target_area, options_.thresholds), spacing);
+    limit.t1_length = std::max(limit.t1_length, fallback ? kFallbackT1 * spacing : 0);
     return {.limit = limit,
             .two_sided = {options_.two_sided_bubbles, limit.t1_length},
-            .remnant_area = std::max(limit.t2_area, kRemnantArea * sums.mean_area()),
+            .many_sided_area = std::max(limit.t2_area, kManySidedArea * sums.mean_area()),
             .rate = rate,
             .time_step = options_.time_step};
   }
@@ -124,34 +126,35 @@ private:
   bool take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
                  FrameResult& result) {
     if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
-      bidding_.run(mesh, SlideBids{rules.two_sided, allowed_.all_set(mesh.bubble_slots())});
+      reservations_.run(mesh,
+                        SlideOperations{rules.two_sided, allowed_.all_set(mesh.bubble_slots())});
     }
     const FieldView<Film, std::uint8_t> swappable = allowed_.all_set(mesh.film_slots());
     rules.swappable = ConstFieldView<Film, std::uint8_t>(swappable.data());
-    result.operations =
-        result.operations + bidding_.run(mesh, CollapseBids<NewtonRules>{rules, swappable});
+    result.operations = result.operations +
+                        reservations_.run(mesh, CollapseOperations<NewtonRules>{rules, swappable});
 
-    const detail::BearableRate rate{rules};
-    const BubbleSums sums = sum_bubbles(machine_, rules.rate.mesh, rate);
+    const detail::AdmissibleRate rate{rules};
+    const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
     if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
-        machine_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
+        executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
       return false;
     }
-    diffuse(machine_, mesh, rate, sums, rules.time_step);
+    diffuse(executor_, mesh, rate, sums, rules.time_step);
 
     const newton::NewtonResult found = newton_.equilibrate(mesh, rules.limit.t1_length, aborted);
     const int iterations = result.report.iterations + found.report.iterations;
     result.report = found.report;
     result.report.iterations = iterations;
     result.operations.t1 += found.t1;
-    return found.report.converged || measure_equilibrium(machine_, const_view(mesh)).possible;
+    return found.report.converged || measure_equilibrium(executor_, const_view(mesh)).possible;
   }
 
-  Machine& machine_;
+  Executor& executor_;
   CoarseningOptions options_;
-  Bidding<Machine> bidding_;
-  newton::MachineNewton<Machine> newton_;
-  parallel::Flags<Machine> allowed_;
+  Reservations<Executor> reservations_;
+  newton::WholeFoamNewton<Executor> newton_;
+  parallel::Flags<Executor> allowed_;
 };
 
 } // namespace foam

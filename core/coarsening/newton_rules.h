@@ -12,8 +12,8 @@
 
 namespace foam {
 
-inline constexpr double kSmallestArea = 1e-6; // of the mean area: no bubble gets smaller
-inline constexpr double kRemnantArea = 1e-4;  // of the mean area: with more than three sides, none
+inline constexpr double kSmallestArea = 1e-6;  // of the mean area: no bubble gets smaller
+inline constexpr double kManySidedArea = 1e-4; // of the mean area: with more than three sides, none
 inline constexpr double kSmallestLength = 1e-3; // of the mean spacing: no T1 length is shorter
 
 /// Thresholds down to which there are equilibria to be found.
@@ -31,9 +31,9 @@ struct NewtonRules {
 
   Thresholds limit{};
   TwoSidedRule two_sided{};
-  double remnant_area = 0; ///< at which a bubble with more than three sides loses them, cm²
-  AreaRate rate{};         ///< at which gas is lost
-  double time_step = 0;    ///< s
+  double many_sided_area = 0; ///< at which a bubble with more than three sides loses them, cm²
+  AreaRate rate{};            ///< at which gas is lost
+  double time_step = 0;       ///< s
   ConstFieldView<Film, std::uint8_t> swappable{}; ///< of a film: not swapped yet
 
   template <class Mesh> FOAM_HOST_DEVICE static double film_size(const Mesh& mesh, Film film) {
@@ -46,7 +46,7 @@ struct NewtonRules {
 
   /// Area at which the bubble's end has come, however short the step, cm².
   template <class Mesh> FOAM_HOST_DEVICE double end_area(const Mesh& mesh, Bubble bubble) const {
-    return mesh.sides[bubble] <= 3 ? limit.t2_area : remnant_area;
+    return mesh.sides[bubble] <= 3 ? limit.t2_area : many_sided_area;
   }
   /// The least gas with which the bubble can go through the step, cm².
   FOAM_HOST_DEVICE double needed(Bubble bubble) const {
@@ -75,7 +75,7 @@ private:
     }
     const double area = mesh.target_area[bubble];
     const double gas = needed(bubble);
-    return gas > 0 && (area <= remnant_area || area < gas) && film_to_swap(mesh, bubble) == film;
+    return gas > 0 && (area <= many_sided_area || area < gas) && film_to_swap(mesh, bubble) == film;
   }
 
   /// The shortest film by which the bubble can lose a side; one whose other bubble cannot well

@@ -18,7 +18,7 @@ enum class TopologicalAlgorithm {
   Final,       ///< Figure 4.8, which follows every cascade
   Original,    ///< Figure 4.4, a walk over the junctions that is the frame's first sweep as well
   Improved,    ///< Figure 4.6, bubbles and films in turn until nothing gives way
-  Simultaneous ///< many at once, where they do not meet (topology/bidding.h), as on a GPU
+  Simultaneous ///< many at once, where they do not meet (topology/reservations.h), as on a GPU
 };
 
 struct CoarseningOptions {

@@ -155,11 +155,11 @@ struct PackRow {
 } // namespace detail
 
 /// WholeFoamMatrix with kRegularisation, and for every element that is absent or held an equation
-/// of its own, x = 0. On a machine (parallel/host.h); each row is summed by one thread in a fixed
+/// of its own, x = 0. On an executor (parallel/host.h); each row is summed by one thread in a fixed
 /// order.
-template <class Machine> class CompressedMatrix {
+template <class Executor> class CompressedMatrix {
 public:
-  explicit CompressedMatrix(Machine& machine) : machine_(machine) {}
+  explicit CompressedMatrix(Executor& executor) : executor_(executor) {}
 
   /// \returns what stays as it is until the next call, or as long as this is there.
   LowerTriangle assemble(const WholeFoamMatrix& matrix) {
@@ -169,24 +169,24 @@ public:
     for (auto* array : {&begin_, &first_}) {
       array->resize(static_cast<std::size_t>(size) + 1);
     }
-    machine_.for_each(elements, detail::BoundRows{mesh, begin_.data()});
-    const auto listed = static_cast<std::size_t>(machine_.sum_up(begin_.data(), size));
+    executor_.for_each(elements, detail::BoundRows{mesh, begin_.data()});
+    const auto listed = static_cast<std::size_t>(executor_.exclusive_scan(begin_.data(), size));
     listed_column_.resize(listed);
     listed_value_.resize(listed);
-    machine_.for_each(elements, detail::ListRows{matrix, begin_.data(), listed_column_.data(),
-                                                 listed_value_.data(), first_.data()});
-    const Index entries = machine_.sum_up(first_.data(), size);
+    executor_.for_each(elements, detail::ListRows{matrix, begin_.data(), listed_column_.data(),
+                                                  listed_value_.data(), first_.data()});
+    const Index entries = executor_.exclusive_scan(first_.data(), size);
     column_.resize(static_cast<std::size_t>(entries));
     value_.resize(static_cast<std::size_t>(entries));
-    machine_.for_each(size, detail::PackRow{begin_.data(), first_.data(), listed_column_.data(),
-                                            listed_value_.data(), column_.data(), value_.data()});
+    executor_.for_each(size, detail::PackRow{begin_.data(), first_.data(), listed_column_.data(),
+                                             listed_value_.data(), column_.data(), value_.data()});
     return {size, entries, first_.data(), column_.data(), value_.data()};
   }
 
 private:
-  template <class T> using Array = typename Machine::template Array<T>;
+  template <class T> using Array = typename Executor::template Array<T>;
 
-  Machine& machine_;
+  Executor& executor_;
   Array<Index> begin_; ///< of each row as it was listed
   Array<Index> listed_column_;
   Array<double> listed_value_;

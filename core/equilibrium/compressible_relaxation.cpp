@@ -189,7 +189,7 @@ private:
 void swap_short_films(Foam& foam, double t1_length) {
   for (const Film f : foam.film_slots()) {
     if (foam.has_film(f) && foam.length(f.half()) <= t1_length && spares_sides(foam, f) &&
-        can_perform_t1(foam, f) && pulled_shut(foam, f)) {
+        can_perform_t1(foam, f) && unstable_to_t1(foam, f)) {
       perform_t1(foam, f);
     }
   }

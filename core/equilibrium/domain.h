@@ -8,7 +8,7 @@
 
 namespace foam {
 
-/// Some elements of a kind, listed or all of them. A range for a machine (parallel/host.h).
+/// Some elements of a kind, listed or all of them. A range for an executor (parallel/host.h).
 template <class Element> class Elements {
 public:
   Elements() = default;

@@ -91,11 +91,9 @@ FOAM_HOST_DEVICE inline Vec2 junction_force(const ConstFoamView& mesh,
 }
 
 /// Area of a bubble, cm².
-FOAM_HOST_DEVICE inline double area_of(const ConstFoamView& mesh,
-                                       const FieldView<Film, const FilmState>& films,
-                                       Bubble bubble) {
-  return mesh.area(
-      bubble, [&](Film f) { return mesh.wall(f.half()) ? 0.0 : films[f].segment; });
+FOAM_HOST_DEVICE inline double
+area_of(const ConstFoamView& mesh, const FieldView<Film, const FilmState>& films, Bubble bubble) {
+  return mesh.area(bubble, [&](Film f) { return mesh.wall(f.half()) ? 0.0 : films[f].segment; });
 }
 
 /// A − A^τ as far as one step asks for it, cm².
@@ -106,11 +104,11 @@ FOAM_HOST_DEVICE inline double bounded_excess(const ConstFoamView& mesh,
   return std::clamp(areas[bubble] - mesh.target_area[bubble], -largest, largest);
 }
 
-/// On a machine (parallel/host.h).
-template <class Machine> class Evaluation {
+/// On an executor (parallel/host.h).
+template <class Executor> class Evaluation {
 public:
   /// Evaluates a state; what follows is of it. Arrays are by element, of the domain alone.
-  Residual evaluate(Machine& machine, const ConstFoamView& mesh, const Domain& domain) {
+  Residual evaluate(Executor& executor, const ConstFoamView& mesh, const Domain& domain) {
     film_.resize(place_of(mesh.films));
     force_.resize(place_of(mesh.junctions));
     area_.resize(place_of(mesh.bubbles));
@@ -119,21 +117,20 @@ public:
     const FieldView<Bubble, double> area(area_.data());
     const auto films = this->films();
     const double tension = mesh.reference_tension();
-    machine.for_each(
+    executor.for_each(
         domain.films, FOAM_KERNEL(Film f) { film[f] = film_state(mesh, f); });
-    machine.for_each(
+    executor.for_each(
         domain.junctions, FOAM_KERNEL(Junction j) { force[j] = junction_force(mesh, films, j); });
-    machine.for_each(
-        domain.bubbles, FOAM_KERNEL(Bubble b) {
-          area[b] = mesh.has_bubble(b) ? area_of(mesh, films, b) : 0;
-        });
+    executor.for_each(
+        domain.bubbles,
+        FOAM_KERNEL(Bubble b) { area[b] = mesh.has_bubble(b) ? area_of(mesh, films, b) : 0; });
     constexpr parallel::Larger larger{};
-    return {machine.reduce(
+    return {executor.reduce(
                 domain.junctions, 0.0, FOAM_KERNEL(Junction j) { return norm(force[j]) / tension; },
                 larger),
-            machine.reduce(
+            executor.reduce(
                 domain.films, 0.0, FOAM_KERNEL(Film f) { return films[f].curvature; }, larger),
-            machine.reduce(
+            executor.reduce(
                 domain.bubbles, 0.0,
                 FOAM_KERNEL(Bubble b) {
                   const double target = mesh.target_area[b];
@@ -154,7 +151,7 @@ public:
   }
 
 private:
-  template <class T> using Array = typename Machine::template Array<T>;
+  template <class T> using Array = typename Executor::template Array<T>;
 
   Array<FilmState> film_;
   Array<Vec2> force_;  ///< N/cm
@@ -164,17 +161,17 @@ private:
 /// The exact penalty function of a domain, T·Σl − Σ_rim p·A + μ·Σ|A − A^τ|: films' energy, less the
 /// work of bubbles whose pressure is held, and the areas' violation (J. Nocedal, S. J. Wright,
 /// Numerical Optimization, 2nd ed., 2006, ch. 18).
-template <class Machine> struct Merit {
-  Machine& machine;
+template <class Executor> struct Merit {
+  Executor& executor;
   ConstFoamView mesh;
   Domain domain;
   double mu = 0; ///< μ
 
   /// Takes μ above the largest multiplier before and after a step, and large enough for the step to
   /// be a direction of descent (Nocedal & Wright, 18.36).
-  void weigh(const Evaluation<Machine>& state, const StepView& step) {
+  void weigh(const Evaluation<Executor>& state, const StepView& step) {
     const ConstFoamView& foam = mesh;
-    const double largest = machine.reduce(
+    const double largest = executor.reduce(
         domain.bubbles, 0.0,
         FOAM_KERNEL(Bubble b) {
           if (!foam.has_bubble(b)) {
@@ -184,7 +181,7 @@ template <class Machine> struct Merit {
           return std::max(std::abs(p), std::abs(p + step.pressure[b]));
         },
         parallel::Larger{});
-    const double growth = machine.reduce( // of the films' energy, in units of 2γ
+    const double growth = executor.reduce( // of the films' energy, in units of 2γ
         domain.films, 0.0,
         FOAM_KERNEL(Film f) {
           return foam.bends(f) ? foam.relative_tension(f) *
@@ -200,21 +197,21 @@ template <class Machine> struct Merit {
   }
 
   /// Of an evaluated state.
-  double operator()(const Evaluation<Machine>& state) const {
+  double operator()(const Evaluation<Executor>& state) const {
     const ConstFoamView& foam = mesh;
     const auto films = state.films();
-    const double length = machine.reduce(
+    const double length = executor.reduce(
         domain.films, 0.0, FOAM_KERNEL(Film f) { return films[f].length; }, parallel::Add{});
-    const double work = machine.reduce(
+    const double work = executor.reduce(
         domain.rim, 0.0, FOAM_KERNEL(Bubble b) { return foam.pressure[b] * foam.area(b); },
         parallel::Add{});
     return mesh.reference_tension() * length - work + mu * violation(state);
   }
 
-  double violation(const Evaluation<Machine>& state) const {
+  double violation(const Evaluation<Executor>& state) const {
     const ConstFoamView& foam = mesh;
     const auto areas = state.areas();
-    return machine.reduce(
+    return executor.reduce(
         domain.bubbles, 0.0,
         FOAM_KERNEL(Bubble b) {
           return foam.has_bubble(b) ? std::abs(areas[b] - foam.target_area[b]) : 0.0;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "algebra/conjugate_residuals.h"
+#include "algebra/generalised_conjugate_residuals.h"
 #include "equilibrium/zero_modes.h"
 
 namespace foam::newton {
@@ -210,7 +210,7 @@ bool FactorisingSolver::solve(const Foam& foam, std::span<double> change, std::v
   std::fill(weight.begin(), first_pressure, 1 / units.tension);
   std::fill(first_pressure, first_angle, 1 / units.area());
   const ConstFoamView mesh = view_of(foam);
-  return conjugate_residuals(
+  return generalised_conjugate_residuals(
       change, rest, weight,
       [&](std::span<const double> x, std::span<double> from) { matrix_.subtract_product(x, from); },
       [&](std::span<double> x) {
@@ -257,7 +257,7 @@ const StepView* FactorisingSolver::respond(const Foam& foam, const Field<Bubble,
     rest[place_of(unknowns.first_pressure()) + i] = -area_rate[region_.bubbles[i]];
   }
   for (std::size_t i = 0; i < region_.films.size(); ++i) {
-    const FilmShare& share = matrix_.shares()[i];
+    const FilmMatrix& share = matrix_.shares()[i];
     const std::array<double, 7> rates = expected.of_film(foam, region_.films[i]);
     subtract_product(share, rates, rest);
     for (std::size_t k = 0; k < rates.size(); ++k) {

@@ -8,9 +8,9 @@
 
 #include "equilibrium/domain.h"
 #include "equilibrium/evaluation.h"
-#include "equilibrium/factorisation.h"
 #include "equilibrium/newton_matrix.h"
 #include "equilibrium/rates.h"
+#include "equilibrium/reused_factorisation.h"
 #include "parallel/host.h"
 
 namespace foam::newton {
@@ -81,7 +81,7 @@ private:
 
   std::vector<char> keep_angle_; ///< by place in region_.films
   NewtonMatrix matrix_;
-  Factorisation factorisation_;
+  ReusedFactorisation factorisation_;
   Step<Host> step_, response_;
   StepView view_;
 };

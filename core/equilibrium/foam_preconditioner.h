@@ -15,16 +15,17 @@
 // semidefinite wherever the foam is: the films' resistance to being turned.
 //
 // The solid's inverse is replaced by one symmetric V-cycle: Chebyshev's iteration for the junctions
-// (each one's 2 × 2 block is inverted), then for grids two and more bubbles wide (elastic_grid.h),
-// onto which the foam's stiffness is taken junction by junction, as that of a continuum.
+// (each one's 2 × 2 block is inverted), then for grids two and more bubbles wide
+// (algebra/elastic_grid.h), onto which the foam's stiffness is taken junction by junction, as that
+// of a continuum.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "equilibrium/elastic_grid.h"
+#include "algebra/elastic_grid.h"
+#include "algebra/multigrid.h"
 #include "equilibrium/matrix_free.h"
-#include "equilibrium/multigrid.h"
 
 namespace foam::newton {
 
@@ -64,9 +65,9 @@ struct Solid {
     return sum;
   }
 
-  FOAM_HOST_DEVICE Symmetric2 diagonal(Junction junction) const {
+  FOAM_HOST_DEVICE multigrid::Symmetric2 diagonal(Junction junction) const {
     const ConstFoamView& mesh = matrix.mesh;
-    Symmetric2 sum;
+    multigrid::Symmetric2 sum;
     if (!mesh.moves(junction)) {
       return sum;
     }
@@ -83,8 +84,8 @@ struct Solid {
 };
 
 /// squeeze ← WB·x
-template <class Machine> void before_row(Machine& machine, const Solid& solid, const double* x) {
-  machine.for_each(
+template <class Executor> void before_row(Executor& executor, const Solid& solid, const double* x) {
+  executor.for_each(
       solid.matrix.mesh.bubble_slots(), FOAM_KERNEL(Bubble b) {
         const ConstFoamView& mesh = solid.matrix.mesh;
         double growth = 0;
@@ -131,8 +132,8 @@ FOAM_HOST_DEVICE inline double inverse_pressure_block(const Solid& solid, Bubble
 
 /// Junctions by cells.
 struct CellLists {
-  Grid grid;
-  FieldView<Junction, const GridPlace> place;
+  multigrid::Grid grid;
+  FieldView<Junction, const multigrid::GridPlace> place;
   const std::uint64_t* key = nullptr;
   const Index* first = nullptr;
 
@@ -146,12 +147,12 @@ struct CellLists {
 /// The rows of a cell's element that belong to a corner: the continuum there has half of the films
 /// of each of its junctions, and an equal share of each of the bubbles, as if the gradient of the
 /// displacement were the same all over them.
-FOAM_HOST_DEVICE inline ElementRows rows_of(const Solid& solid, const Units& units,
-                                            const CellLists& lists, Index cell, int corner) {
+FOAM_HOST_DEVICE inline multigrid::ElementRows
+rows_of(const Solid& solid, const Units& units, const CellLists& lists, Index cell, int corner) {
   const ConstFoamView& mesh = solid.matrix.mesh;
-  ElementRows sum;
+  multigrid::ElementRows sum;
   lists.for_each_in(cell, [&](Junction junction) {
-    const GridPlace& place = lists.place[junction];
+    const multigrid::GridPlace& place = lists.place[junction];
     for (const Half h : mesh.junction_half[junction]) {
       const Vec2 across = solid.across[h.film()];
       const Vec2 chord = (1 / units.length) * mesh.chord(h);
@@ -191,7 +192,7 @@ struct Bounds {
 
 /// A grid over a cell with cells as wide as asked for, or a little less or more: so many that they
 /// can be halved until less than eight are left along the shorter side.
-inline Grid grid_over(const Lattice& box, bool wraps, double width) {
+inline multigrid::Grid grid_over(const Lattice& box, bool wraps, double width) {
   const double across = norm(box.first);
   const double along = norm(box.second);
   Index halvings = 0;
@@ -207,10 +208,10 @@ inline Grid grid_over(const Lattice& box, bool wraps, double width) {
   return {columns, rows, wraps, box.origin, (1.0 / columns) * box.first, (1.0 / rows) * box.second};
 }
 
-/// On a machine (parallel/host.h).
-template <class Machine> class FoamPreconditioner {
+/// On an executor (parallel/host.h).
+template <class Executor> class FoamPreconditioner {
 public:
-  explicit FoamPreconditioner(Machine& machine) : machine_(machine) {}
+  explicit FoamPreconditioner(Executor& executor) : executor_(executor) {}
 
   /// Makes the preconditioner for a state of the foam; both the mesh and the matrix's films have to
   /// stay as they are while it is used.
@@ -226,15 +227,15 @@ public:
     const Solid solid{matrix, FieldView<Film, const Vec2>(across_.data()),
                       FieldView<Bubble, const double>(bulk_.data()),
                       FieldView<Bubble, double>(squeeze_.data())};
-    machine_.for_each(
+    executor_.for_each(
         mesh.film_slots(), FOAM_KERNEL(Film f) { across[f] = across_of(mesh, units, f); });
-    machine_.for_each(
+    executor_.for_each(
         mesh.bubble_slots(), FOAM_KERNEL(Bubble b) { bulk[b] = bulk_of(mesh, units, b); });
-    machine_.for_each(
+    executor_.for_each(
         mesh.bubble_slots(),
         FOAM_KERNEL(Bubble b) { pressure[b] = inverse_pressure_block(solid, b); });
     solid_ = solid;
-    prepare(machine_, solid_, fine_, mesh.junctions);
+    prepare(executor_, solid_, fine_, mesh.junctions);
     find_largest_of(solid_, fine_);
     make_grids(units);
   }
@@ -245,9 +246,9 @@ public:
     const FieldView<Bubble, const double> inverse(pressure_.data());
     const FieldView<Bubble, const double> right = pressures_of(mesh, from);
     const FieldView<Bubble, double> left = pressures_of(mesh, to);
-    machine_.for_each(
+    executor_.for_each(
         mesh.bubble_slots(), FOAM_KERNEL(Bubble b) { left[b] = inverse[b] * right[b]; });
-    cycle(machine_, solid_, fine_, from, to, [&](const double* residual) {
+    cycle(executor_, solid_, fine_, from, to, [&](const double* residual) {
       restrict_junctions(residual);
       solve_on(0);
       prolongate_to_junctions(to);
@@ -260,7 +261,7 @@ public:
   void restrict_junctions(const double* from) {
     const CellLists cells = lists();
     double* const to = levels_.front().b.data();
-    machine_.for_each(
+    executor_.for_each(
         cells.grid.nodes(), FOAM_KERNEL(Index node) {
           Vec2 sum;
           for (int corner = 0; corner < 4; ++corner) {
@@ -279,7 +280,7 @@ public:
     const ConstFoamView& mesh = solid_.matrix.mesh;
     const CellLists cells = lists();
     const double* const from = levels_.front().x.data();
-    machine_.for_each(
+    executor_.for_each(
         mesh.junction_slots(), FOAM_KERNEL(Junction j) {
           if (mesh.moves(j)) {
             set_displacement(x, j,
@@ -289,15 +290,15 @@ public:
   }
 
   /// Sorts the junctions by the cells of the finest grid.
-  void place_junctions(const Grid& grid, const Units& units) {
+  void place_junctions(const multigrid::Grid& grid, const Units& units) {
     const ConstFoamView& mesh = solid_.matrix.mesh;
     place_.resize(place_of(mesh.junctions));
     key_.resize(place_of(mesh.junctions));
     first_.resize(place_of(grid.cells()) + 1);
-    const FieldView<Junction, GridPlace> place(place_.data());
+    const FieldView<Junction, multigrid::GridPlace> place(place_.data());
     std::uint64_t* const key = key_.data();
     Index* const first = first_.data();
-    machine_.for_each(
+    executor_.for_each(
         mesh.junction_slots(), FOAM_KERNEL(Junction j) {
           const bool counts = mesh.moves(j);
           if (counts) {
@@ -306,16 +307,16 @@ public:
           const auto cell = static_cast<std::uint64_t>(counts ? place[j].cell : grid.cells());
           key[j.index()] = (cell << 32) | static_cast<std::uint32_t>(j.index());
         });
-    machine_.sort(key, mesh.junctions);
+    executor_.sort(key, mesh.junctions);
     const Index keys = mesh.junctions;
-    machine_.for_each(
+    executor_.for_each(
         grid.cells() + 1, FOAM_KERNEL(Index cell) { first[cell] = first_key(key, keys, cell); });
   }
 
-  void assemble_elements(const Units& units, Element* element) {
+  void assemble_elements(const Units& units, multigrid::Element* element) {
     const Solid& solid = solid_;
     const CellLists cells = lists();
-    machine_.for_each(
+    executor_.for_each(
         4 * cells.grid.cells(), FOAM_KERNEL(Index i) {
           rows_of(solid, units, cells, i / 4, i % 4).write(element[i / 4], i % 4);
         });
@@ -328,7 +329,7 @@ public:
     if (mesh.surroundings.periodic()) {
       box = reduced(mesh.surroundings.lattice).lattice;
     } else {
-      const Bounds bounds = machine_.reduce(
+      const Bounds bounds = executor_.reduce(
           mesh.junction_slots(), Bounds{},
           FOAM_KERNEL(Junction j) {
             return mesh.has_junction(j) ? Bounds{mesh.position[j], mesh.position[j]} : Bounds{};
@@ -343,15 +344,15 @@ public:
   }
 
 private:
-  template <class T> using Array = typename Machine::template Array<T>;
+  template <class T> using Array = typename Executor::template Array<T>;
 
   struct Level {
-    Grid grid;
-    Array<Element> element;
-    Smoother<Machine> smoother;
+    multigrid::Grid grid;
+    Array<multigrid::Element> element;
+    multigrid::Smoother<Executor> smoother;
     Array<double> b, x;
 
-    GridMatrix matrix() const { return {grid, element.data()}; }
+    multigrid::GridMatrix matrix() const { return {grid, element.data()}; }
   };
 
   static constexpr double kCellWidth = 2; // of the finest grid, in bubbles
@@ -364,32 +365,33 @@ private:
   void solve_on(std::size_t k) {
     Level& level = levels_[k];
     if (k + 1 == used_) {
-      smooth(machine_, level.matrix(), level.smoother, level.b.data(), level.x.data(), true,
+      smooth(executor_, level.matrix(), level.smoother, level.b.data(), level.x.data(), true,
              kCoarsestSteps, kCoarsestRatio);
       return;
     }
     Level& coarser = levels_[k + 1];
-    cycle(machine_, level.matrix(), level.smoother, level.b.data(), level.x.data(),
+    cycle(executor_, level.matrix(), level.smoother, level.b.data(), level.x.data(),
           [&](const double* residual) {
-            restrict_to(machine_, coarser.grid, level.grid, residual, coarser.b.data());
+            restrict_to(executor_, coarser.grid, level.grid, residual, coarser.b.data());
             solve_on(k + 1);
-            prolongate(machine_, level.grid, coarser.grid, coarser.x.data(), level.x.data());
+            prolongate(executor_, level.grid, coarser.grid, coarser.x.data(), level.x.data());
           });
   }
 
-  template <class Matrix> void find_largest_of(const Matrix& matrix, Smoother<Machine>& smoother) {
+  template <class Matrix>
+  void find_largest_of(const Matrix& matrix, multigrid::Smoother<Executor>& smoother) {
     for (auto* array : {&trial_, &zero_}) {
       array->resize(std::max(array->size(), 2 * place_of(smoother.size)));
     }
-    find_largest(machine_, matrix, smoother, trial_.data(), zero_.data());
+    find_largest(executor_, matrix, smoother, trial_.data(), zero_.data());
   }
 
   CellLists lists() const {
-    return {levels_.front().grid, FieldView<Junction, const GridPlace>(place_.data()), key_.data(),
-            first_.data()};
+    return {levels_.front().grid, FieldView<Junction, const multigrid::GridPlace>(place_.data()),
+            key_.data(), first_.data()};
   }
 
-  Level& use_level(const Grid& grid) {
+  Level& use_level(const multigrid::Grid& grid) {
     if (used_ == levels_.size()) {
       levels_.emplace_back();
     }
@@ -402,30 +404,30 @@ private:
   }
 
   void make_grids(const Units& units) {
-    const Grid finest =
+    const multigrid::Grid finest =
         grid_over(box_of(units), solid_.matrix.mesh.surroundings.periodic(), kCellWidth);
     place_junctions(finest, units);
     used_ = 0;
     Level& first = use_level(finest);
     assemble_elements(units, first.element.data());
-    prepare(machine_, first.matrix(), first.smoother, finest.nodes());
+    prepare(executor_, first.matrix(), first.smoother, finest.nodes());
     while (levels_[used_ - 1].grid.can_be_coarsened()) {
-      const Grid grid = levels_[used_ - 1].grid.coarsened();
+      const multigrid::Grid grid = levels_[used_ - 1].grid.coarsened();
       Level& coarse = use_level(grid);
       Level& fine = levels_[used_ - 2];
       find_largest_of(fine.matrix(), fine.smoother);
-      coarsen_elements(machine_, fine.grid, grid, fine.element.data(), coarse.element.data());
-      prepare(machine_, coarse.matrix(), coarse.smoother, grid.nodes());
+      coarsen_elements(executor_, fine.grid, grid, fine.element.data(), coarse.element.data());
+      prepare(executor_, coarse.matrix(), coarse.smoother, grid.nodes());
     }
     levels_[used_ - 1].smoother.largest = kLargestOfElements;
   }
 
-  Machine& machine_;
+  Executor& executor_;
   Solid solid_;
   Array<Vec2> across_;
   Array<double> bulk_, squeeze_, pressure_;
-  Smoother<Machine> fine_;
-  Array<GridPlace> place_;
+  multigrid::Smoother<Executor> fine_;
+  Array<multigrid::GridPlace> place_;
   Array<std::uint64_t> key_; ///< cell and junction, ascending
   Array<Index> first_;       ///< key of each cell
   std::vector<Level> levels_;

@@ -14,30 +14,30 @@
 
 namespace foam::newton {
 
-/// Solves Newton's equations of a whole foam (equilibrium/newton.h) without a matrix, on a machine
-/// (parallel/host.h): by MINRES with a preconditioner that does not feel the foam's size, or by a
-/// direct solver that it is given.
+/// Solves Newton's equations of a whole foam (equilibrium/newton.h) without a matrix, on an
+/// executor (parallel/host.h): by MINRES with a preconditioner that does not feel the foam's size,
+/// or by a direct solver that it is given.
 ///
 /// No inertia is asked for that could tell whether a step leads to a minimum. Far from equilibrium,
 /// and where the penalty function does not fall along a step, the equations are convexified
 /// (film_derivatives): films resist being stretched, as springs do.
-template <class Machine> class KrylovSolver {
+template <class Executor> class KrylovSolver {
 public:
   /// \param direct solves the systems in place of MINRES, which takes over where that leaves more
   /// than 10⁻⁴ of the right-hand side; null for MINRES alone.
-  explicit KrylovSolver(Machine& machine, std::unique_ptr<DirectSolver> direct = nullptr)
-      : machine_(machine), minimal_residual_(machine), preconditioner_(machine),
-        direct_(std::move(direct)), compressed_(machine) {}
+  explicit KrylovSolver(Executor& executor, std::unique_ptr<DirectSolver> direct = nullptr)
+      : executor_(executor), minimal_residual_(executor), preconditioner_(executor),
+        direct_(std::move(direct)), compressed_(executor) {}
 
   // What the loop asks for (equilibrium/newton.h).
-  void begin(bool far) { springs_ = far ? kFirstSprings : 0; }
+  void begin(bool far) { convexification_ = far ? kFirstConvexification : 0; }
   static const StepView* reuse(const FoamView& /*mesh*/, const Domain& /*domain*/,
-                               const Evaluation<Machine>& /*state*/, const Residual& /*residual*/,
+                               const Evaluation<Executor>& /*state*/, const Residual& /*residual*/,
                                double /*tolerance*/) {
     return nullptr;
   }
-  const StepView* find(const FoamView& mesh, const Domain& domain, const Evaluation<Machine>& state,
-                       const Residual& residual) {
+  const StepView* find(const FoamView& mesh, const Domain& domain,
+                       const Evaluation<Executor>& state, const Residual& residual) {
     const ConstFoamView foam = const_view(mesh);
     const Units units{domain.spacing, foam.reference_tension()};
     stiffness_.resize(place_of(mesh.films));
@@ -45,31 +45,32 @@ public:
     right_.resize(place_of(size_of(foam)));
     solution_.resize(place_of(size_of(foam)));
     const WholeFoamMatrix matrix{foam, FieldView<Film, const FilmStiffness>(stiffness_.data())};
-    linearise(machine_, foam, units, springs_, FieldView<Film, FilmStiffness>(stiffness_.data()),
+    linearise(executor_, foam, units, convexification_,
+              FieldView<Film, FilmStiffness>(stiffness_.data()),
               FieldView<Film, FilmGradient>(gradient_.data()));
-    gather_load(machine_, foam, units, state.areas(),
+    gather_load(executor_, foam, units, state.areas(),
                 FieldView<Film, const FilmGradient>(gradient_.data()), right_.data());
-    remove_common_pressure(machine_, foam, domain.bubbles, pressures_of(foam, right_.data()));
+    remove_common_pressure(executor_, foam, domain.bubbles, pressures_of(foam, right_.data()));
     if (!direct_ || !solve_directly(matrix)) {
       solve_iteratively(matrix, units, std::clamp(residual.largest(), kFinest, kRoughest));
     }
-    remove_common_pressure(machine_, foam, domain.bubbles, pressures_of(foam, solution_.data()));
-    remove_rigid_motion(machine_, foam, domain, solution_.data());
+    remove_common_pressure(executor_, foam, domain.bubbles, pressures_of(foam, solution_.data()));
+    remove_rigid_motion(executor_, foam, domain, solution_.data());
     step_.fit(foam);
     view_ = step_.view();
-    take_step(machine_, foam, units, springs_, solution_.data(), view_);
+    take_step(executor_, foam, units, convexification_, solution_.data(), view_);
     return &view_;
   }
   bool convexify() {
-    if (springs_ >= kMostSprings) {
+    if (convexification_ >= kMostConvexification) {
       return false;
     }
-    springs_ = std::max(kFirstSprings, 8 * springs_);
+    convexification_ = std::max(kFirstConvexification, 8 * convexification_);
     return true;
   }
   void took(double fraction) {
     if (fraction == 1) {
-      springs_ = springs_ > kLeastSprings ? springs_ / 8 : 0;
+      convexification_ = convexification_ > kLeastConvexification ? convexification_ / 8 : 0;
     }
   }
 
@@ -77,11 +78,11 @@ public:
   int iterations() const { return iterations_; }
 
 private:
-  template <class T> using Array = typename Machine::template Array<T>;
+  template <class T> using Array = typename Executor::template Array<T>;
 
-  static constexpr double kFirstSprings = 1; // in units of a stretched film's own stiffness
-  static constexpr double kLeastSprings = 0.01;
-  static constexpr double kMostSprings = 1000;
+  static constexpr double kFirstConvexification = 1; // in units of a stretched film's own stiffness
+  static constexpr double kLeastConvexification = 0.01;
+  static constexpr double kMostConvexification = 1000;
   static constexpr double kRoughest = 1e-2; // to which linear systems are solved, …
   static constexpr double kFinest = 1e-4;   // … in between as the residual is
   static constexpr int kMostIterations = 500;
@@ -91,33 +92,33 @@ private:
     const double* const b = right_.data();
     direct_->solve(compressed_.assemble(matrix), b, solution_.data());
     product_.resize(right_.size());
-    multiply(machine_, matrix, solution_.data(), product_.data());
+    multiply(executor_, matrix, solution_.data(), product_.data());
     const Index size = size_of(matrix.mesh);
-    return squared_distance(machine_, size, b, product_.data()) <=
-           kFinest * kFinest * dot_product(machine_, size, b, b);
+    return squared_distance(executor_, size, b, product_.data()) <=
+           kFinest * kFinest * dot_product(executor_, size, b, b);
   }
 
   void solve_iteratively(const WholeFoamMatrix& matrix, const Units& units, double tolerance) {
     preconditioner_.set_up(matrix, units);
     iterations_ += minimal_residual_.solve(
         size_of(matrix.mesh), right_.data(), solution_.data(), tolerance, kMostIterations,
-        [&](const double* from, double* to) { multiply(machine_, matrix, from, to); },
+        [&](const double* from, double* to) { multiply(executor_, matrix, from, to); },
         [&](const double* from, double* to) { preconditioner_.apply(from, to); });
   }
 
-  Machine& machine_;
-  MinimalResidual<Machine> minimal_residual_;
-  FoamPreconditioner<Machine> preconditioner_;
+  Executor& executor_;
+  MinimalResidual<Executor> minimal_residual_;
+  FoamPreconditioner<Executor> preconditioner_;
   std::unique_ptr<DirectSolver> direct_;
-  CompressedMatrix<Machine> compressed_;
-  double springs_ = 0;
+  CompressedMatrix<Executor> compressed_;
+  double convexification_ = 0;
   int iterations_ = 0;
 
   Array<FilmStiffness> stiffness_;
   Array<FilmGradient> gradient_;
   Array<double> right_, solution_;
   Array<double> product_; ///< with a direct solver's solution
-  Step<Machine> step_;
+  Step<Executor> step_;
   StepView view_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Newton's equations for a whole foam without a matrix, on a machine (parallel/host.h): one thread
-// a film takes its second derivatives, half-angle eliminated, and a product gathers them, one
-// thread a junction or a bubble.
+// Newton's equations for a whole foam without a matrix, on an executor (parallel/host.h): one
+// thread a film takes its second derivatives, half-angle eliminated, and a product gathers them,
+// one thread a junction or a bubble.
 //
 // A vector has all junctions' displacements (x, y), in units of the bubbles' mean spacing ℓ, then
 // all bubbles' pressures in units of T/ℓ. Elements that are absent or held have zeros.
@@ -11,26 +11,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/displacements.h"
 #include "equilibrium/evaluation.h"
 #include "parallel/kernels.h"
 
 namespace foam::newton {
 
-// Displacements of a vector, x and y of each place in turn: junctions or, on grids, nodes.
-FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Index place) {
-  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
-  return {vector[x], vector[x + 1]};
-}
 FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Junction junction) {
-  return displacement(vector, junction.index());
-}
-FOAM_HOST_DEVICE inline void set_displacement(double* vector, Index place, Vec2 value) {
-  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
-  vector[x] = value.x;
-  vector[x + 1] = value.y;
+  return foam::displacement(vector, junction.index());
 }
 FOAM_HOST_DEVICE inline void set_displacement(double* vector, Junction junction, Vec2 value) {
-  set_displacement(vector, junction.index(), value);
+  foam::set_displacement(vector, junction.index(), value);
 }
 
 /// Length of a vector.
@@ -51,11 +42,11 @@ FOAM_HOST_DEVICE inline double pressure_in(const ConstFoamView& mesh, const doub
 }
 
 /// Dimensionless derivatives of a film's φ, half-angle not eliminated yet.
-/// \param springs what is added to the energy's second derivatives, in units of a stretched
-/// film's: 0 for Newton's own equations; with 1 the films are springs, and the matrix that of a
-/// minimum wherever the foam is. ∂²φ/∂α² is kept away from 0, where arcs of 90° have it.
-FOAM_HOST_DEVICE inline FilmLagrangian film_derivatives(const ConstFoamView& mesh, Film film,
-                                                        const Units& units, double springs) {
+/// \param convexification what is added to the energy's second derivatives, in units of a stretched
+/// film's: 0 for Newton's own equations; with 1 the films are convexification, and the matrix that
+/// of a minimum wherever the foam is. ∂²φ/∂α² is kept away from 0, where arcs of 90° have it.
+FOAM_HOST_DEVICE inline FilmLagrangian
+film_derivatives(const ConstFoamView& mesh, Film film, const Units& units, double convexification) {
   constexpr double kSmallestPivot = 0.1; // of the tension times d
   const Half h = film.half();
   const Vec2 chord = (1 / units.length) * mesh.chord(h);
@@ -66,11 +57,11 @@ FOAM_HOST_DEVICE inline FilmLagrangian film_derivatives(const ConstFoamView& mes
   const std::array<double, 4> along{-chord.x / d, -chord.y / d, chord.x / d, chord.y / d};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      phi.hessian[i][k] += springs * tension / d * along[i] * along[k];
+      phi.hessian[i][k] += convexification * tension / d * along[i] * along[k];
     }
   }
   double& pivot = phi.hessian[FilmLagrangian::kAngle][FilmLagrangian::kAngle];
-  pivot += springs * tension * d;
+  pivot += convexification * tension * d;
   const double smallest = kSmallestPivot * tension * d;
   pivot = pivot < 0 ? std::min(pivot, -smallest) : std::max(pivot, smallest);
   return phi;
@@ -149,13 +140,13 @@ struct WholeFoamMatrix {
 };
 
 /// to ← K·x
-template <class Machine>
-void multiply(Machine& machine, const WholeFoamMatrix& matrix, const double* x, double* to) {
+template <class Executor>
+void multiply(Executor& executor, const WholeFoamMatrix& matrix, const double* x, double* to) {
   const Index junctions = matrix.mesh.junctions;
-  machine.for_each(
+  executor.for_each(
       junctions + matrix.mesh.bubbles, FOAM_KERNEL(Index i) {
         if (i < junctions) {
-          set_displacement(to, i, matrix.junction_row(x, Junction(i)));
+          set_displacement(to, Junction(i), matrix.junction_row(x, Junction(i)));
         } else {
           to[junctions + i] = matrix.bubble_row(x, Bubble(i - junctions));
         }
@@ -174,16 +165,16 @@ FOAM_HOST_DEVICE inline FilmGradient film_gradient(FilmLagrangian phi) {
 }
 
 /// Takes the derivatives of all films.
-template <class Machine>
-void linearise(Machine& machine, const ConstFoamView& mesh, const Units& units, double springs,
-               const FieldView<Film, FilmStiffness>& stiffness,
+template <class Executor>
+void linearise(Executor& executor, const ConstFoamView& mesh, const Units& units,
+               double convexification, const FieldView<Film, FilmStiffness>& stiffness,
                const FieldView<Film, FilmGradient>& gradient) {
-  machine.for_each(
+  executor.for_each(
       mesh.film_slots(), FOAM_KERNEL(Film f) {
         stiffness[f] = {};
         gradient[f] = {};
         if (mesh.bends(f)) {
-          const FilmLagrangian phi = film_derivatives(mesh, f, units, springs);
+          const FilmLagrangian phi = film_derivatives(mesh, f, units, convexification);
           stiffness[f] = film_stiffness(phi);
           gradient[f] = film_gradient(phi);
         }
@@ -223,26 +214,26 @@ FOAM_HOST_DEVICE inline double load_of(const ConstFoamView& mesh, const Units& u
 
 /// The right-hand side of Newton's equations, that is minus the gradient.
 /// \param areas of the bubbles, cm²
-template <class Machine>
-void gather_load(Machine& machine, const ConstFoamView& mesh, const Units& units,
+template <class Executor>
+void gather_load(Executor& executor, const ConstFoamView& mesh, const Units& units,
                  const FieldView<Bubble, const double>& areas,
                  const FieldView<Film, const FilmGradient>& gradient, double* to) {
   const FieldView<Bubble, double> pressures = pressures_of(mesh, to);
-  machine.for_each(
+  executor.for_each(
       mesh.junction_slots(),
       FOAM_KERNEL(Junction j) { set_displacement(to, j, load_of(mesh, gradient, j)); });
-  machine.for_each(
+  executor.for_each(
       mesh.bubble_slots(),
       FOAM_KERNEL(Bubble b) { pressures[b] = load_of(mesh, units, areas, gradient, b); });
 }
 
 /// How the eliminated half-angle of a film answers to a solution, rad.
 FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film,
-                                            const Units& units, double springs,
+                                            const Units& units, double convexification,
                                             const double* solution) {
   constexpr auto k = FilmLagrangian::kAngle;
   const Half h = film.half();
-  const FilmLagrangian phi = film_derivatives(mesh, film, units, springs);
+  const FilmLagrangian phi = film_derivatives(mesh, film, units, convexification);
   const Vec2 a = displacement(solution, mesh.start(h));
   const Vec2 b = displacement(solution, mesh.end(h));
   const std::array<double, 6> local{a.x,
@@ -259,19 +250,19 @@ FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film
 }
 
 /// The step that a solution is.
-template <class Machine>
-void take_step(Machine& machine, const ConstFoamView& mesh, const Units& units, double springs,
-               const double* solution, const StepView& step) {
-  machine.for_each(
+template <class Executor>
+void take_step(Executor& executor, const ConstFoamView& mesh, const Units& units,
+               double convexification, const double* solution, const StepView& step) {
+  executor.for_each(
       mesh.junction_slots(),
       FOAM_KERNEL(Junction j) { step.junction[j] = units.length * displacement(solution, j); });
-  machine.for_each(
+  executor.for_each(
       mesh.bubble_slots(), FOAM_KERNEL(Bubble b) {
         step.pressure[b] = units.pressure() * pressure_in(mesh, solution, b);
       });
-  machine.for_each(
+  executor.for_each(
       mesh.film_slots(), FOAM_KERNEL(Film f) {
-        step.angle[f] = mesh.bends(f) ? angle_change(mesh, f, units, springs, solution) : 0;
+        step.angle[f] = mesh.bends(f) ? angle_change(mesh, f, units, convexification, solution) : 0;
       });
 }
 

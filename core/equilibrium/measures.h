@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a whole foam is from equilibrium, on any machine (parallel/host.h).
+// How far a whole foam is from equilibrium, on any executor (parallel/host.h).
 #pragma once
 
 #include <algorithm>
@@ -25,9 +25,9 @@ struct EquilibriumMeasures {
   }
 };
 
-template <class Machine>
-EquilibriumMeasures measure_equilibrium(Machine& machine, const ConstFoamView& mesh) {
-  const EquilibriumMeasures of_junctions = machine.reduce(
+template <class Executor>
+EquilibriumMeasures measure_equilibrium(Executor& executor, const ConstFoamView& mesh) {
+  const EquilibriumMeasures of_junctions = executor.reduce(
       mesh.junction_slots(), EquilibriumMeasures{},
       FOAM_KERNEL(Junction j) {
         return mesh.moves(j)
@@ -35,7 +35,7 @@ EquilibriumMeasures measure_equilibrium(Machine& machine, const ConstFoamView& m
                    : EquilibriumMeasures{};
       },
       parallel::Add{});
-  return machine.reduce(
+  return executor.reduce(
       mesh.bubble_slots(), of_junctions,
       FOAM_KERNEL(Bubble b) {
         return mesh.has_bubble(b) ? EquilibriumMeasures{0, area_error(mesh, b), mesh.area(b) > 0}

@@ -61,10 +61,10 @@ struct Outcome {
   Residual residual;
 };
 
-/// On a machine (parallel/host.h).
-template <class Machine> class Newton {
+/// On an executor (parallel/host.h).
+template <class Executor> class Newton {
 public:
-  explicit Newton(Machine& machine) : machine_(machine) {}
+  explicit Newton(Executor& executor) : executor_(executor) {}
 
   /// Brings a problem to equilibrium, to a tolerance of dimensionless residuals.
   /// \param iterations counts on from what it is, up to the most. \throws Aborted, with the mesh
@@ -127,14 +127,14 @@ public:
   }
 
   template <class Problem> Residual evaluate(const Problem& problem) {
-    return state_.evaluate(machine_, const_view(problem.mesh()), problem.domain());
+    return state_.evaluate(executor_, const_view(problem.mesh()), problem.domain());
   }
   /// The state that was evaluated last.
-  const Evaluation<Machine>& state() const { return state_; }
+  const Evaluation<Executor>& state() const { return state_; }
 
 private:
   template <class Problem> double longest_step_of(const Problem& problem, const StepView& step) {
-    return longest_step(machine_, const_view(problem.mesh()), problem.domain(), step);
+    return longest_step(executor_, const_view(problem.mesh()), problem.domain(), step);
   }
 
   /// One step of a solver's from before, undone unless it contracts.
@@ -146,13 +146,13 @@ private:
       return false;
     }
     remember(problem);
-    walk(machine_, problem.mesh(), problem.domain(), before_.view(), *step, 1);
+    walk(executor_, problem.mesh(), problem.domain(), before_.view(), *step, 1);
     const Residual after = evaluate(problem);
     if (after.largest() < kContraction * residual.largest() || after.largest() < tolerance) {
       residual = after;
       return true;
     }
-    restore(machine_, problem.mesh(), problem.domain(), before_.view());
+    restore(executor_, problem.mesh(), problem.domain(), before_.view());
     residual = evaluate(problem);
     return false;
   }
@@ -164,12 +164,12 @@ private:
   double search_line(Problem& problem, const StepView& step, Residual& residual) {
     const FoamView& mesh = problem.mesh();
     const Domain& domain = problem.domain();
-    Merit<Machine> merit{machine_, const_view(mesh), domain};
+    Merit<Executor> merit{executor_, const_view(mesh), domain};
     merit.weigh(state_, step);
     const double before = merit(state_);
     remember(problem);
     const auto improves = [&](const StepView& direction, double fraction) {
-      walk(machine_, mesh, domain, before_.view(), direction, fraction);
+      walk(executor_, mesh, domain, before_.view(), direction, fraction);
       const Residual after = evaluate(problem);
       if (after.largest() < 0.5 * residual.largest() || merit(state_) < before) {
         residual = after;
@@ -180,29 +180,29 @@ private:
     const double longest = longest_step_of(problem, step);
     if (longest < 1 && domain.whole) {
       limited_.fit(const_view(mesh));
-      limit_step(machine_, const_view(mesh), domain, step, limited_.view());
+      limit_step(executor_, const_view(mesh), domain, step, limited_.view());
       if (improves(limited_.view(), 1)) {
         return longest;
       }
-      restore(machine_, mesh, domain, before_.view());
+      restore(executor_, mesh, domain, before_.view());
     }
     for (double fraction = longest; fraction > kSmallestFraction * longest; fraction *= 0.5) {
       if (improves(step, fraction)) {
         return fraction;
       }
     }
-    restore(machine_, mesh, domain, before_.view());
+    restore(executor_, mesh, domain, before_.view());
     return 0;
   }
 
   template <class Problem> void remember(const Problem& problem) {
     before_.fit(const_view(problem.mesh()));
-    save(machine_, problem.mesh(), problem.domain(), before_.view());
+    save(executor_, problem.mesh(), problem.domain(), before_.view());
   }
 
-  Machine& machine_;
-  Evaluation<Machine> state_;
-  Step<Machine> before_, limited_;
+  Executor& executor_;
+  Evaluation<Executor> state_;
+  Step<Executor> before_, limited_;
 };
 
 } // namespace foam::newton

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kPatchRings = 2;
 constexpr double kPatchTolerance = 1e-3; // the rim's residual is of this order or larger
-constexpr double kRough = 1e-4;          // residual of a place that is not in equilibrium,
+constexpr double kUnrelaxed = 1e-4;      // residual of a place that is not in equilibrium,
 constexpr double kSmallPatch = 0.3;      // and a part of the foam that patches around such may be
 
 } // namespace
@@ -80,7 +80,7 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
                                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
-  relax_rough_spots(foam, t1_length, aborted);
+  relax_unrelaxed_regions(foam, t1_length, aborted);
   Problem problem(foam, whole_, swaps_, t1_length,
                   [](const Foam& f, std::span<const Bubble>) { return whole_foam(f); });
   const newton::Outcome outcome =
@@ -95,8 +95,8 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
 
 /// Where a foam that is in equilibrium but in a few places is not, patches around those are relaxed
 /// first: an iteration there costs next to nothing.
-void NewtonEquilibrator::relax_rough_spots(Foam& foam, double t1_length,
-                                           const AbortCheck& aborted) {
+void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length,
+                                                 const AbortCheck& aborted) {
   if (!whole_.factorised()) {
     return;
   }
@@ -104,28 +104,29 @@ void NewtonEquilibrator::relax_rough_spots(Foam& foam, double t1_length,
     whole_.set_up(foam, whole_foam(foam));
   }
   newton_.evaluate(Problem(foam, whole_, swaps_, t1_length, {}));
-  const std::vector<Bubble> rough = rough_bubbles(foam);
+  const std::vector<Bubble> rough = unrelaxed_bubbles(foam);
   const auto most = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
   if (!rough.empty() && rough.size() < most &&
       patch(foam, rough, kPatchRings).bubbles.size() < most) {
     relax_patch_to(
-        kRough, foam, rough, t1_length, [](const Region&) {}, aborted);
+        kUnrelaxed, foam, rough, t1_length, [](const Region&) {}, aborted);
   }
 }
 
 /// The bubbles at which dimensionless residuals of the state evaluated last exceed a limit.
-std::vector<Bubble> NewtonEquilibrator::rough_bubbles(const Foam& foam) const {
+std::vector<Bubble> NewtonEquilibrator::unrelaxed_bubbles(const Foam& foam) const {
   const newton::Evaluation<Host>& state = newton_.state();
   const Region& region = whole_.region();
   std::vector<Bubble> rough;
   for (const Film f : region.films) {
     const Half h = f.half();
-    if (std::abs(state.films()[f].forces.angle) > kRough * foam.tension(f) * norm(foam.chord(h))) {
+    if (std::abs(state.films()[f].forces.angle) >
+        kUnrelaxed * foam.tension(f) * norm(foam.chord(h))) {
       rough.insert(rough.end(), {foam.left(h), foam.right(h)});
     }
   }
   for (const Junction j : region.junctions) {
-    if (norm(state.forces()[j]) > kRough * foam.reference_tension()) {
+    if (norm(state.forces()[j]) > kUnrelaxed * foam.reference_tension()) {
       for (const Half h : foam.junction_half[j]) {
         rough.push_back(foam.left(h));
       }
@@ -133,7 +134,7 @@ std::vector<Bubble> NewtonEquilibrator::rough_bubbles(const Foam& foam) const {
   }
   for (const Bubble b : region.bubbles) {
     const double target = foam.target_area[b];
-    if (std::abs(state.areas()[b] - target) > kRough * target) {
+    if (std::abs(state.areas()[b] - target) > kUnrelaxed * target) {
       rough.push_back(b);
     }
   }

@@ -52,11 +52,11 @@ private:
   class Problem;
 
   bool is_far(Foam& foam);
-  void relax_rough_spots(Foam& foam, double t1_length, const AbortCheck& aborted);
+  void relax_unrelaxed_regions(Foam& foam, double t1_length, const AbortCheck& aborted);
   bool relax_patch_to(double tolerance, Foam& foam, std::span<const Bubble> bubbles,
                       double t1_length, const std::function<void(const Region&)>& prepare,
                       const AbortCheck& aborted);
-  std::vector<Bubble> rough_bubbles(const Foam& foam) const;
+  std::vector<Bubble> unrelaxed_bubbles(const Foam& foam) const;
 
   EquilibratorOptions options_;
   Host host_;

@@ -105,7 +105,7 @@ void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<do
 double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
                                   std::span<const double> x,
                                   const std::array<double, 7>& held) const {
-  const FilmShare& film = films_[place];
+  const FilmMatrix& film = films_[place];
   if (film.unknown[kAngle] != kNone) {
     return x[place_of(film.unknown[kAngle])];
   }
@@ -121,7 +121,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double>
   for (std::size_t u = 0; u < from.size(); ++u) {
     from[u] -= regularisation(u) * x[u];
   }
-  for (const FilmShare& film : films_) {
+  for (const FilmMatrix& film : films_) {
     foam::subtract_product(film, film.unknown, x, from);
   }
 }

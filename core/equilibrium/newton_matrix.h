@@ -12,7 +12,7 @@
 namespace foam {
 
 /// What a film adds to the matrix of Newton's equations, in the order of FilmLagrangian.
-using FilmShare = ElementMatrix<7>;
+using FilmMatrix = ElementMatrix<7>;
 
 /// The matrix of Newton's equations in a region: the second derivatives of the Lagrangian,
 /// symmetric and indefinite, as the sum of its films' shares.
@@ -58,7 +58,7 @@ public:
                         std::span<const Index> rows, std::span<double> from) const;
 
   /// By place in region.films; of an eliminated α the last row is what it was before.
-  std::span<const FilmShare> shares() const { return films_; }
+  std::span<const FilmMatrix> shares() const { return films_; }
   /// What is added to the shares where they are factorised, by unknown.
   std::vector<double> diagonal() const;
 
@@ -68,7 +68,7 @@ private:
   double regularisation(std::size_t unknown) const;
 
   Unknowns unknowns_;
-  std::vector<FilmShare> films_;
+  std::vector<FilmMatrix> films_;
   double junction_diagonal_ = 0;
   double pressure_diagonal_ = 0;
   double junction_pin_ = 0; ///< of the first one's coordinates

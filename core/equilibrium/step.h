@@ -27,8 +27,8 @@ struct StepView {
   }
 };
 
-/// A step's arrays, on a machine (parallel/host.h).
-template <class Machine> class Step {
+/// A step's arrays, on an executor (parallel/host.h).
+template <class Executor> class Step {
 public:
   /// Makes room for a mesh. What is there of it already keeps its values.
   void fit(const ConstFoamView& mesh) {
@@ -42,52 +42,52 @@ public:
   }
 
 private:
-  typename Machine::template Array<Vec2> junction_;
-  typename Machine::template Array<double> angle_, pressure_;
+  typename Executor::template Array<Vec2> junction_;
+  typename Executor::template Array<double> angle_, pressure_;
 };
 
 /// The state of a domain, to step from and to return to.
-template <class Machine>
-void save(Machine& machine, const FoamView& mesh, const Domain& domain, const StepView& to) {
-  machine.for_each(
+template <class Executor>
+void save(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& to) {
+  executor.for_each(
       domain.junctions, FOAM_KERNEL(Junction j) { to.junction[j] = mesh.position[j]; });
-  machine.for_each(
+  executor.for_each(
       domain.films, FOAM_KERNEL(Film f) { to.angle[f] = mesh.film_angle[f]; });
-  machine.for_each(
+  executor.for_each(
       domain.bubbles, FOAM_KERNEL(Bubble b) { to.pressure[b] = mesh.pressure[b]; });
 }
 
-template <class Machine>
-void restore(Machine& machine, const FoamView& mesh, const Domain& domain, const StepView& from) {
-  machine.for_each(
+template <class Executor>
+void restore(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& from) {
+  executor.for_each(
       domain.junctions, FOAM_KERNEL(Junction j) { mesh.position[j] = from.junction[j]; });
-  machine.for_each(
+  executor.for_each(
       domain.films, FOAM_KERNEL(Film f) { mesh.film_angle[f] = from.angle[f]; });
-  machine.for_each(
+  executor.for_each(
       domain.bubbles, FOAM_KERNEL(Bubble b) { mesh.pressure[b] = from.pressure[b]; });
 }
 
 /// The saved state and a fraction of a step.
-template <class Machine>
-void walk(Machine& machine, const FoamView& mesh, const Domain& domain, const StepView& from,
+template <class Executor>
+void walk(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& from,
           const StepView& step, double fraction) {
-  machine.for_each(
+  executor.for_each(
       domain.junctions, FOAM_KERNEL(Junction j) {
         mesh.position[j] = from.junction[j] + fraction * step.junction[j];
       });
-  machine.for_each(
+  executor.for_each(
       domain.films,
       FOAM_KERNEL(Film f) { mesh.film_angle[f] = from.angle[f] + fraction * step.angle[f]; });
-  machine.for_each(
+  executor.for_each(
       domain.bubbles,
       FOAM_KERNEL(Bubble b) { mesh.pressure[b] = from.pressure[b] + fraction * step.pressure[b]; });
 }
 
 /// The largest fraction ≤ 1 of a step that every film of the domain can take.
-template <class Machine>
-double longest_step(Machine& machine, const ConstFoamView& mesh, const Domain& domain,
+template <class Executor>
+double longest_step(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
                     const StepView& step) {
-  return machine.reduce(
+  return executor.reduce(
       domain.films, 1.0,
       FOAM_KERNEL(Film f) {
         return mesh.bends(f) ? longest_film_step(mesh.chord(f.half()), step.chord_change(mesh, f),
@@ -100,10 +100,10 @@ double longest_step(Machine& machine, const ConstFoamView& mesh, const Domain& d
 /// The step, but no junction moves by more than a part of its shortest film and no arc turns by
 /// more than it can. Where one film alone is in the way of a whole foam this gets on, though it is
 /// no direction of descent for sure.
-template <class Machine>
-void limit_step(Machine& machine, const ConstFoamView& mesh, const Domain& domain,
+template <class Executor>
+void limit_step(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
                 const StepView& step, const StepView& to) {
-  machine.for_each(
+  executor.for_each(
       domain.junctions, FOAM_KERNEL(Junction j) {
         to.junction[j] = step.junction[j];
         if (!mesh.moves(j)) {
@@ -118,12 +118,12 @@ void limit_step(Machine& machine, const ConstFoamView& mesh, const Domain& domai
           to.junction[j] = (kLargestMove * shortest / length) * step.junction[j];
         }
       });
-  machine.for_each(
+  executor.for_each(
       domain.films, FOAM_KERNEL(Film f) {
         const double largest = largest_turn(mesh.film_angle[f], step.angle[f]);
         to.angle[f] = std::clamp(step.angle[f], -largest, largest);
       });
-  machine.for_each(
+  executor.for_each(
       domain.bubbles, FOAM_KERNEL(Bubble b) { to.pressure[b] = step.pressure[b]; });
 }
 

@@ -2,7 +2,7 @@
 //
 // T1s on the way to equilibrium: films that a step shortens further although they are short are
 // swapped after it, if they are pulled shut then (physics/swap_rule.h). One after the other in a
-// Foam, or many at once on any machine (parallel/host.h).
+// Foam, or many at once on any executor (parallel/host.h).
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 #include "equilibrium/step.h"
 #include "physics/swap_rule.h"
-#include "topology/bidding.h"
 #include "topology/local_operations.h"
 #include "topology/operations.h"
+#include "topology/reservations.h"
 
 namespace foam::newton {
 
@@ -35,7 +35,7 @@ FOAM_HOST_DEVICE inline bool closes(const ConstFoamView& mesh, Film film, const 
 /// Whether a closing film is to be swapped. Three-sided bubbles keep their sides: they vanish by
 /// T2.
 template <class Mesh> FOAM_HOST_DEVICE bool may_be_swapped(const Mesh& mesh, Film film) {
-  return spares_sides(mesh, film) && can_perform_t1(mesh, film) && pulled_shut(mesh, film);
+  return spares_sides(mesh, film) && can_perform_t1(mesh, film) && unstable_to_t1(mesh, film);
 }
 
 /// Swaps one after the other, the shortest first, no two at one junction.
@@ -99,7 +99,7 @@ private:
 };
 
 /// T1s of closing films that may be swapped, the shortest first.
-struct ClosingFilmBids {
+struct ClosingFilmSwaps {
   FieldView<Film, std::uint8_t> closing; ///< 0 once it is swapped
   FieldView<Film, std::uint8_t> swaps;   ///< how often it has been
 
@@ -108,8 +108,8 @@ struct ClosingFilmBids {
   }
   FOAM_HOST_DEVICE std::uint64_t key(const ConstFoamView& mesh, Film film) const {
     return closing[film] && may_be_swapped(mesh, film)
-               ? bid_key(false, mesh.length(film.half()), film.index())
-               : kNoBid;
+               ? reservation_key(false, mesh.length(film.half()), film.index())
+               : kNoReservation;
   }
   FOAM_HOST_DEVICE static Touched bubbles(const ConstFoamView& mesh, Film film) {
     return bubbles_around_film(mesh, film);
@@ -124,16 +124,16 @@ struct ClosingFilmBids {
   }
 };
 
-/// Swaps many at once (topology/bidding.h).
-template <class Machine> class SwapsAtOnce {
+/// Swaps many at once (topology/reservations.h).
+template <class Executor> class SwapsAtOnce {
 public:
-  explicit SwapsAtOnce(Machine& machine) : machine_(machine), bidding_(machine) {}
+  explicit SwapsAtOnce(Executor& executor) : executor_(executor), reservations_(executor) {}
 
   /// Begins an equilibration: no film has been swapped.
   void begin(const FoamView& mesh) {
     count_.resize(place_of(mesh.films));
     closing_.resize(place_of(mesh.films));
-    machine_.for_each(mesh.films, parallel::Fill<std::uint8_t>{count_.data(), 0});
+    executor_.for_each(mesh.films, parallel::Fill<std::uint8_t>{count_.data(), 0});
   }
 
   /// Marks the films that a step closes.
@@ -141,23 +141,23 @@ public:
     const ConstFoamView foam = const_view(mesh);
     const FieldView<Film, std::uint8_t> closing(closing_.data());
     const FieldView<Film, std::uint8_t> count(count_.data());
-    machine_.for_each(
+    executor_.for_each(
         mesh.film_slots(),
         FOAM_KERNEL(Film f) { closing[f] = closes(foam, f, step, t1_length, count[f]) ? 1 : 0; });
   }
 
   /// Swaps those of them that may be. \returns how many
   std::int64_t perform(const FoamView& mesh) {
-    const ClosingFilmBids bids{FieldView<Film, std::uint8_t>(closing_.data()),
-                               FieldView<Film, std::uint8_t>(count_.data())};
-    return bidding_.run(mesh, bids).count;
+    const ClosingFilmSwaps swaps{FieldView<Film, std::uint8_t>(closing_.data()),
+                                 FieldView<Film, std::uint8_t>(count_.data())};
+    return reservations_.run(mesh, swaps).count;
   }
 
 private:
-  Machine& machine_;
-  Bidding<Machine> bidding_;
-  typename Machine::template Array<std::uint8_t> count_; ///< how often each has been swapped
-  typename Machine::template Array<std::uint8_t> closing_;
+  Executor& executor_;
+  Reservations<Executor> reservations_;
+  typename Executor::template Array<std::uint8_t> count_; ///< how often each has been swapped
+  typename Executor::template Array<std::uint8_t> closing_;
 };
 
 } // namespace foam::newton

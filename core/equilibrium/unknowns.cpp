@@ -50,7 +50,7 @@ std::array<Index, 7> Unknowns::of_film(const Foam& foam, Film film) const {
           angle(film)};
 }
 
-std::vector<Index> translation(const Region& region, const Unknowns& from, const Unknowns& to) {
+std::vector<Index> renumbering(const Region& region, const Unknowns& from, const Unknowns& to) {
   std::vector<Index> numbers(place_of(from.count()), kNone);
   const auto put = [&](Index number, Index other) {
     if (number != kNone) {

@@ -54,6 +54,6 @@ private:
 };
 
 /// By the numbers that a region's unknowns have in one numbering, those in another, or kNone.
-std::vector<Index> translation(const Region& region, const Unknowns& from, const Unknowns& to);
+std::vector<Index> renumbering(const Region& region, const Unknowns& from, const Unknowns& to);
 
 } // namespace foam

@@ -2,7 +2,7 @@
 //
 // What costs a foam nothing: in closed surroundings a common pressure, as only differences of
 // pressure act there; and motions of the whole, which nothing but a wall resists, on a torus but
-// for rotations. On a machine (parallel/host.h).
+// for rotations. On an executor (parallel/host.h).
 #pragma once
 
 #include "equilibrium/domain.h"
@@ -15,21 +15,21 @@ namespace foam::newton {
 inline constexpr double kRegularisation = 1e-8;
 
 /// Takes the mean out of the pressures of some bubbles, where it means nothing.
-template <class Machine>
-void remove_common_pressure(Machine& machine, const ConstFoamView& mesh,
+template <class Executor>
+void remove_common_pressure(Executor& executor, const ConstFoamView& mesh,
                             const Elements<Bubble>& bubbles,
                             const FieldView<Bubble, double>& pressure) {
   if (!mesh.surroundings.closed()) {
     return;
   }
-  const Index count = machine.reduce(
+  const Index count = executor.reduce(
       bubbles, Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
       parallel::Add{});
-  const double sum = machine.reduce(
+  const double sum = executor.reduce(
       bubbles, 0.0, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? pressure[b] : 0; },
       parallel::Add{});
   const double mean = sum / count;
-  machine.for_each(
+  executor.for_each(
       bubbles, FOAM_KERNEL(Bubble b) {
         if (mesh.has_bubble(b)) {
           pressure[b] -= mean;
@@ -48,8 +48,8 @@ struct RigidMeans {
 
 /// Takes motions of the whole foam out of displacements, x and y of each junction of the domain in
 /// turn: rounding decides how much of them there is.
-template <class Machine>
-void remove_rigid_motion(Machine& machine, const ConstFoamView& mesh, const Domain& domain,
+template <class Executor>
+void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
                          double* displacement) {
   if (!domain.whole || !mesh.surroundings.translates()) {
     return;
@@ -57,10 +57,10 @@ void remove_rigid_motion(Machine& machine, const ConstFoamView& mesh, const Doma
   const Elements<Junction> junctions = domain.junctions;
   const Index size = junctions.size();
   const double share =
-      1 / machine.reduce(
+      1 / executor.reduce(
               size, 0.0, FOAM_KERNEL(Index i) { return mesh.moves(junctions[i]) ? 1.0 : 0.0; },
               parallel::Add{});
-  const RigidMeans means = machine.reduce(
+  const RigidMeans means = executor.reduce(
       size, RigidMeans{},
       FOAM_KERNEL(Index i) {
         const Junction j = junctions[i];
@@ -71,7 +71,7 @@ void remove_rigid_motion(Machine& machine, const ConstFoamView& mesh, const Doma
   double rotation = 0;
   if (mesh.surroundings.rotates()) {
     // In x the moment of all displacements, in y the moment of inertia.
-    const Vec2 moment = machine.reduce(
+    const Vec2 moment = executor.reduce(
         size, Vec2{},
         FOAM_KERNEL(Index i) {
           const Junction j = junctions[i];
@@ -82,7 +82,7 @@ void remove_rigid_motion(Machine& machine, const ConstFoamView& mesh, const Doma
         parallel::Add{});
     rotation = moment.x / moment.y;
   }
-  machine.for_each(
+  executor.for_each(
       size, FOAM_KERNEL(Index i) {
         const Junction j = junctions[i];
         if (mesh.moves(j)) {

@@ -78,8 +78,8 @@ inline constexpr double kSeriesLimit = 0.5;
 
 } // namespace detail
 
-/// f and g with their derivatives; −π < alpha < π (rad). Inlined, so that nobody computes those that
-/// are not asked for.
+/// f and g with their derivatives; −π < alpha < π (rad). Inlined, so that nobody computes those
+/// that are not asked for.
 [[gnu::always_inline]] FOAM_HOST_DEVICE inline ArcShape arc_shape(double alpha) {
   if (std::abs(alpha) < detail::kSeriesLimit) {
     return detail::arc_shape_by_series(alpha);

@@ -3,7 +3,8 @@
 // Marks the functions that a CUDA compiler also compiles for the GPU. They hold no containers but
 // std::array, whose members are constexpr (nvcc --expt-relaxed-constexpr).
 //
-// A kernel that is written where it is used begins with FOAM_KERNEL, what it needs being copied (nvcc
+// A kernel that is written where it is used begins with FOAM_KERNEL, what it needs being copied
+// (nvcc
 // --extended-lambda, which wants the function around it to be no private member of a class).
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a parallel algorithm is written against: a machine with arrays of its own, loops,
-// reductions and sorting. Host is this machine; cuda/ has the GPU under the same names.
+// What a parallel algorithm is written against: an executor, with arrays of its own, loops,
+// reductions and sorting. Host is that of the processor; cuda/ has the GPU under the same names.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +69,7 @@ public:
 
   /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]
   /// the sum of all, which is returned. T is an integer.
-  template <class T> T sum_up(T* counts, Index size) const {
+  template <class T> T exclusive_scan(T* counts, Index size) const {
     T sum = 0;
     for (Index i = 0; i < size; ++i) {
       sum += std::exchange(counts[i], sum);
@@ -85,7 +85,7 @@ private:
   std::size_t threads_;
 };
 
-/// The elements of a machine's array, in this machine's memory; an array that is there already is
+/// The elements of an executor's array, in this machine's memory; an array that is there already is
 /// emptied for it.
 template <class T> std::vector<T> fetch(std::vector<T>&& array) {
   return std::move(array);

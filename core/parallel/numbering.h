@@ -30,19 +30,19 @@ template <class Element, class ElementAt> struct ListElement {
 
 } // namespace detail
 
-/// The elements of a mesh that are there, counted from 0 on, on any machine (parallel/host.h).
-template <class Machine, class Element> class Numbering {
+/// The elements of a mesh that are there, counted from 0 on, on any executor (parallel/host.h).
+template <class Executor, class Element> class Numbering {
 public:
-  explicit Numbering(Machine& machine) : machine_(machine) {}
+  explicit Numbering(Executor& executor) : executor_(executor) {}
 
   /// \param at at(i), for i in [0, size), is the i-th, or kNone where it is gone.
   template <class ElementAt> void find(Index size, const ElementAt& at) {
     number_.resize(place_of(size) + 1);
-    machine_.for_each(size, detail::CountElement<ElementAt>{at, number_.data()});
-    count_ = machine_.sum_up(number_.data(), size);
+    executor_.for_each(size, detail::CountElement<ElementAt>{at, number_.data()});
+    count_ = executor_.exclusive_scan(number_.data(), size);
     list_.resize(place_of(count_));
-    machine_.for_each(size,
-                      detail::ListElement<Element, ElementAt>{at, number_.data(), list_.data()});
+    executor_.for_each(size,
+                       detail::ListElement<Element, ElementAt>{at, number_.data(), list_.data()});
   }
   /// The same for the elements of a range, such as Slots. \param at at(element) is the element, or
   /// kNone where it is gone.
@@ -57,9 +57,9 @@ public:
   const Index* number() const { return number_.data(); }
 
 private:
-  Machine& machine_;
-  typename Machine::template Array<Index> number_;
-  typename Machine::template Array<Element> list_;
+  Executor& executor_;
+  typename Executor::template Array<Index> number_;
+  typename Executor::template Array<Element> list_;
   Index count_ = 0;
 };
 

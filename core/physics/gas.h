@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gas that films let through: one law for bubbles wherever they lie, for a whole foam, and on a
-// machine (parallel/host.h).
+// The gas that films let through: one law for bubbles wherever they lie, for a whole foam, and on
+// an executor (parallel/host.h).
 #pragma once
 
+#include <numbers>
+
+#include "mesh/element_measures.h"
 #include "mesh/foam_view.h"
 #include "parallel/kernels.h"
 
@@ -28,30 +31,56 @@ FOAM_HOST_DEVICE double gas_transfer(const Mesh& mesh, Bubble bubble, double kap
   return inflow;
 }
 
+/// The gas transfer of a bubble with no wall beside it, in equilibrium, cm²/s. There l·Δp is T·2α
+/// of a film, and all the films turn by 2π − Σ(π − θ) with the angles θ of Neumann's triangles, so
+/// that with their mean tension T̄ it is −κ(T̄(2π − Σ(π − θ)) + Σ(T − T̄)·2α). What is measured is
+/// the second sum alone, so that little is felt of an equilibrium that is not quite reached.
+template <class Mesh>
+FOAM_HOST_DEVICE double balanced_gas_transfer(const Mesh& mesh, Bubble bubble, double kappa) {
+  constexpr double kPi = std::numbers::pi;
+  double mean = 0;
+  for_each_half(mesh, bubble, [&](Half h) { mean += mesh.tension(h.film()) / mesh.sides[bubble]; });
+  double turn = 2 * kPi;
+  double rest = 0;
+  for_each_half(mesh, bubble, [&](Half h) {
+    const double tension = mesh.tension(h.film());
+    const Film before = mesh.next_around_junction(h).film();
+    const Film outer = mesh.previous_around_junction(h).film();
+    turn -= kPi - neumann_angle(tension, mesh.tension(before), mesh.tension(outer));
+    rest += (tension - mean) * 2 * mesh.half_angle(h);
+  });
+  return -kappa * (mean * turn + rest);
+}
+
 /// The rate at which a bubble's target area changes, cm²/s. Where all films have one tension it is
 /// von Neumann's K(n − 6) (thesis 2.4.5), also on the free boundary, where n counts the outer film.
 /// Where films do not meet at 120° all around the bubble, at a wall or with tensions of their own,
-/// it is the gas transfer itself, measured.
+/// it is the gas transfer itself, measured as far as it has to be.
 struct AreaRate {
   ConstFoamView mesh;
   double constant = 0; ///< K, cm²/s
   double kappa = 0;
 
   FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
-    return measured(bubble) ? gas_transfer(mesh, bubble, kappa)
-                            : constant * (mesh.sides[bubble] - 6);
+    if (at_wall(bubble)) {
+      return gas_transfer(mesh, bubble, kappa);
+    }
+    return mesh.has_uniform_tension() ? constant * (mesh.sides[bubble] - 6)
+                                      : balanced_gas_transfer(mesh, bubble, kappa);
   }
 
   /// Whether the bubble takes a share of what the total is off, in a closed foam, where no gas is
   /// lost: those do whose rate is measured.
-  FOAM_HOST_DEVICE bool evens_out(Bubble bubble) const {
+  FOAM_HOST_DEVICE bool takes_a_share(Bubble bubble) const {
     return mesh.surroundings.closed() && measured(bubble);
   }
 
 private:
   FOAM_HOST_DEVICE bool measured(Bubble bubble) const {
-    return !mesh.has_uniform_tension() ||
-           (mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble));
+    return !mesh.has_uniform_tension() || at_wall(bubble);
+  }
+  FOAM_HOST_DEVICE bool at_wall(Bubble bubble) const {
+    return mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble);
   }
 };
 
@@ -85,12 +114,12 @@ template <class Rate> struct SumBubble {
     if (!mesh.has_bubble(bubble)) {
       return {};
     }
-    return {mesh.target_area[bubble], rate(bubble), rate.evens_out(bubble) ? 1.0 : 0.0, 1};
+    return {mesh.target_area[bubble], rate(bubble), rate.takes_a_share(bubble) ? 1.0 : 0.0, 1};
   }
 };
 
 template <class Rate> FOAM_HOST_DEVICE double even(const Rate& rate, Bubble bubble, double excess) {
-  return rate(bubble) - (rate.evens_out(bubble) ? excess : 0);
+  return rate(bubble) - (rate.takes_a_share(bubble) ? excess : 0);
 }
 
 /// A^τ ← A^τ + dA/dt·Δt (3.7.1).
@@ -110,18 +139,18 @@ template <class Rate> struct Diffuse {
 } // namespace detail
 
 /// \param rate as AreaRate
-template <class Machine, class Rate>
-BubbleSums sum_bubbles(Machine& machine, const ConstFoamView& mesh, const Rate& rate) {
-  return machine.reduce(mesh.bubble_slots(), BubbleSums{}, detail::SumBubble<Rate>{mesh, rate},
-                        parallel::Add{});
+template <class Executor, class Rate>
+BubbleSums sum_bubbles(Executor& executor, const ConstFoamView& mesh, const Rate& rate) {
+  return executor.reduce(mesh.bubble_slots(), BubbleSums{}, detail::SumBubble<Rate>{mesh, rate},
+                         parallel::Add{});
 }
 
 /// Diffusion through a time step (s). A rate may depend on its bubble's target area, on no other's.
-template <class Machine, class Rate>
-void diffuse(Machine& machine, const FoamView& mesh, const Rate& rate, const BubbleSums& sums,
+template <class Executor, class Rate>
+void diffuse(Executor& executor, const FoamView& mesh, const Rate& rate, const BubbleSums& sums,
              double time_step) {
-  machine.for_each(mesh.bubble_slots(),
-                   detail::Diffuse<Rate>{mesh, rate, sums.excess(), time_step});
+  executor.for_each(mesh.bubble_slots(),
+                    detail::Diffuse<Rate>{mesh, rate, sums.excess(), time_step});
 }
 
 /// The rates of all bubbles, 0 for those that are gone; a closed foam's total is conserved.

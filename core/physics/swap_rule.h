@@ -34,7 +34,7 @@ template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Film 
 ///
 /// One that pulls more than √2 times as hard as the other four can shrink to nothing without being
 /// pulled shut: the four hold each other in a point, which is no mesh of threes.
-template <class Mesh> FOAM_HOST_DEVICE bool pulled_shut(const Mesh& mesh, Film film) {
+template <class Mesh> FOAM_HOST_DEVICE bool unstable_to_t1(const Mesh& mesh, Film film) {
   if (detail::ends_on_wall(mesh, film)) {
     return true;
   }

@@ -46,13 +46,13 @@ struct IsJunction {
 
 } // namespace detail
 
-/// The same for a foam on a machine (parallel/host.h), from A_total (cm²).
-template <class Machine>
-Thresholds thresholds(Machine& machine, const FoamView& mesh, double total_area,
+/// The same for a foam on an executor (parallel/host.h), from A_total (cm²).
+template <class Executor>
+Thresholds thresholds(Executor& executor, const FoamView& mesh, double total_area,
                       const ThresholdOptions& options) {
   const Index junctions =
-      options.relative ? machine.reduce(mesh.junction_slots(), Index{0},
-                                        detail::IsJunction{const_view(mesh)}, parallel::Add{})
+      options.relative ? executor.reduce(mesh.junction_slots(), Index{0},
+                                         detail::IsJunction{const_view(mesh)}, parallel::Add{})
                        : 0;
   return thresholds(total_area, junctions, options);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The films and bubbles of a foam as polylines and polygons, all of them at once on any machine
+// The films and bubbles of a foam as polylines and polygons, all of them at once on any executor
 // (parallel/host.h): each counts its points, sums say where they go, and each fills in its own.
 #pragma once
 
@@ -227,13 +227,13 @@ private:
 
 } // namespace sampling_detail
 
-template <class Machine> class FoamSampler {
+template <class Executor> class FoamSampler {
 public:
-  explicit FoamSampler(Machine& machine)
-      : machine_(machine), films_(machine), junctions_(machine), records_(machine) {}
+  explicit FoamSampler(Executor& executor)
+      : executor_(executor), films_(executor), junctions_(executor), records_(executor) {}
 
   /// sample() of the foam but for its record and its outsides.
-  SampledFoam sample(const ConstFoamView& mesh, const BubbleNames<Machine>& names,
+  SampledFoam sample(const ConstFoamView& mesh, const BubbleNames<Executor>& names,
                      double chord_error) {
     SampledFoam sampled;
     records_.measure(mesh, names);
@@ -249,12 +249,12 @@ public:
   }
 
 private:
-  template <class T> using Array = typename Machine::template Array<T>;
+  template <class T> using Array = typename Executor::template Array<T>;
 
   /// Foam::mean_spacing()
   double mean_spacing(const ConstFoamView& mesh) {
-    const double total = machine_.reduce(mesh.bubble_slots(), 0.0,
-                                         sampling_detail::TargetArea{mesh}, parallel::Add{});
+    const double total = executor_.reduce(mesh.bubble_slots(), 0.0,
+                                          sampling_detail::TargetArea{mesh}, parallel::Add{});
     return std::sqrt(total / std::max(records_.count(), Index{1}));
   }
 
@@ -275,16 +275,17 @@ private:
                                             FieldView<Film, Index>(segments_.data()),
                                             own_points_.data(),
                                             film_offsets_.data()};
-    machine_.for_each(films, sampling_detail::CountFilmPoints{mesh, place, chord_error});
-    const std::int64_t points = junctions_.count() + machine_.sum_up(own_points_.data(), films);
-    const std::int64_t entries = machine_.sum_up(film_offsets_.data(), films);
+    executor_.for_each(films, sampling_detail::CountFilmPoints{mesh, place, chord_error});
+    const std::int64_t points =
+        junctions_.count() + executor_.exclusive_scan(own_points_.data(), films);
+    const std::int64_t entries = executor_.exclusive_scan(film_offsets_.data(), films);
 
     film_points_.resize(static_cast<std::size_t>(points));
     junction_id_.resize(static_cast<std::size_t>(points));
     connectivity_.resize(static_cast<std::size_t>(entries));
     const sampling_detail::PlacePoint put{film_points_.data(), junction_id_.data()};
-    machine_.for_each(junctions_.count(), sampling_detail::PlaceJunction{mesh, place, put});
-    machine_.for_each(films, sampling_detail::PlaceFilm{mesh, place, put, connectivity_.data()});
+    executor_.for_each(junctions_.count(), sampling_detail::PlaceJunction{mesh, place, put});
+    executor_.for_each(films, sampling_detail::PlaceFilm{mesh, place, put, connectivity_.data()});
     return place;
   }
 
@@ -298,7 +299,7 @@ private:
     half_angle_.resize(length);
     tension_.resize(mesh.has_uniform_tension() ? 0 : length);
     on_boundary_.resize(length);
-    machine_.for_each(
+    executor_.for_each(
         films_.count(),
         sampling_detail::MeasureFilm{
             mesh, records_.arcs(), films_.list(), left_.data(), right_.data(), curvature_.data(),
@@ -318,22 +319,24 @@ private:
   void place_bubbles(const ConstFoamView& mesh, const sampling_detail::FilmPlaces& place) {
     const Index bubbles = records_.count();
     bubble_offsets_.resize(place_of(bubbles) + 1);
-    machine_.for_each(
+    executor_.for_each(
         bubbles, sampling_detail::CountBubblePoints{mesh, records_.bubbles(),
                                                     ConstFieldView<Film, Index>(segments_.data()),
                                                     bubble_offsets_.data()});
-    const auto points = static_cast<std::size_t>(machine_.sum_up(bubble_offsets_.data(), bubbles));
+    const auto points =
+        static_cast<std::size_t>(executor_.exclusive_scan(bubble_offsets_.data(), bubbles));
     outline_.resize(points);
     bubble_points_.resize(points);
-    machine_.for_each(bubbles, sampling_detail::PlaceBubble{
-                                   mesh, place, film_points_.data(), records_.bubbles(),
-                                   bubble_offsets_.data(), outline_.data(), bubble_points_.data()});
+    executor_.for_each(bubbles,
+                       sampling_detail::PlaceBubble{mesh, place, film_points_.data(),
+                                                    records_.bubbles(), bubble_offsets_.data(),
+                                                    outline_.data(), bubble_points_.data()});
   }
 
-  Machine& machine_;
-  parallel::Numbering<Machine, Film> films_;
-  parallel::Numbering<Machine, Junction> junctions_;
-  BubbleRecords<Machine> records_;
+  Executor& executor_;
+  parallel::Numbering<Executor, Film> films_;
+  parallel::Numbering<Executor, Junction> junctions_;
+  BubbleRecords<Executor> records_;
   Array<Index> segments_;
   Array<std::int64_t> own_points_, film_offsets_, bubble_offsets_;
   Array<Point3> film_points_, bubble_points_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The bubbles of a foam, measured one by one on any machine (parallel/host.h).
+// The bubbles of a foam, measured one by one on any executor (parallel/host.h).
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 
 namespace foam {
 
-/// The order of a foam's bubbles by their names, which they keep: what has to be sent to a machine
-/// once.
-template <class Machine> struct BubbleNames {
+/// The order of a foam's bubbles by their names, which they keep: what has to be sent to an
+/// executor once.
+template <class Executor> struct BubbleNames {
   BubbleNames() = default;
   explicit BubbleNames(const Field<Bubble, std::int64_t>& bubble_id)
       : ascending(in_ascending_order(bubble_id)) {}
 
-  typename Machine::template Array<Bubble> ascending;
+  typename Executor::template Array<Bubble> ascending;
 
 private:
   static std::vector<Bubble> in_ascending_order(const Field<Bubble, std::int64_t>& bubble_id) {
@@ -107,25 +107,26 @@ struct RecordBubble {
 } // namespace detail
 
 /// A record of every bubble, in ascending order of id.
-template <class Machine> class BubbleRecords {
+template <class Executor> class BubbleRecords {
 public:
-  explicit BubbleRecords(Machine& machine) : machine_(machine), bubbles_(machine) {}
+  explicit BubbleRecords(Executor& executor) : executor_(executor), bubbles_(executor) {}
 
-  void measure(const ConstFoamView& mesh, const BubbleNames<Machine>& names) {
+  void measure(const ConstFoamView& mesh, const BubbleNames<Executor>& names) {
     bubbles_.find(mesh.bubbles, detail::PresentBubble{mesh, names.ascending.data()});
     records_.resize(place_of(bubbles_.count()));
     arcs_.resize(place_of(mesh.films));
-    machine_.for_each(mesh.film_slots(),
-                      detail::MeasureArc{mesh, FieldView<Film, detail::ArcMeasures>(arcs_.data())});
-    machine_.for_each(bubbles_.count(),
-                      detail::RecordBubble{mesh, arcs(), bubbles_.list(), records_.data()});
+    executor_.for_each(
+        mesh.film_slots(),
+        detail::MeasureArc{mesh, FieldView<Film, detail::ArcMeasures>(arcs_.data())});
+    executor_.for_each(bubbles_.count(),
+                       detail::RecordBubble{mesh, arcs(), bubbles_.list(), records_.data()});
   }
 
   /// Energy Σ T·l of the mesh that has been measured, N (Foam::energy).
   double energy(const ConstFoamView& mesh) {
-    return mesh.reference_tension() * machine_.reduce(mesh.film_slots(), 0.0,
-                                                      detail::TenseLength{mesh, arcs()},
-                                                      parallel::Add{});
+    return mesh.reference_tension() * executor_.reduce(mesh.film_slots(), 0.0,
+                                                       detail::TenseLength{mesh, arcs()},
+                                                       parallel::Add{});
   }
 
   Index count() const { return bubbles_.count(); }
@@ -139,10 +140,10 @@ public:
   std::vector<BubbleStatistics> fetch_records() { return fetch(std::move(records_)); }
 
 private:
-  Machine& machine_;
-  parallel::Numbering<Machine, Bubble> bubbles_;
-  typename Machine::template Array<BubbleStatistics> records_;
-  typename Machine::template Array<detail::ArcMeasures> arcs_;
+  Executor& executor_;
+  parallel::Numbering<Executor, Bubble> bubbles_;
+  typename Executor::template Array<BubbleStatistics> records_;
+  typename Executor::template Array<detail::ArcMeasures> arcs_;
 };
 
 } // namespace foam

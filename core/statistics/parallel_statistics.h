@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A foam's statistics as reductions, on any machine (parallel/host.h).
+// A foam's statistics as reductions, on any executor (parallel/host.h).
 #pragma once
 
 #include <algorithm>
@@ -84,18 +84,18 @@ struct AddSums {
 
 } // namespace detail
 
-template <class Machine> class ParallelStatistics {
+template <class Executor> class ParallelStatistics {
 public:
-  explicit ParallelStatistics(Machine& machine) : machine_(machine), records_(machine) {}
+  explicit ParallelStatistics(Executor& executor) : executor_(executor), records_(executor) {}
 
   /// statistics() of the foam: one reduction over the bubbles for each n that occurs.
-  FoamStatistics measure(const ConstFoamView& mesh, const BubbleNames<Machine>& names,
+  FoamStatistics measure(const ConstFoamView& mesh, const BubbleNames<Executor>& names,
                          bool include_boundary) {
     records_.measure(mesh, names);
     const auto sums_with = [&](Index n) {
       SideSums zero;
       zero.sides = n;
-      return machine_.reduce(
+      return executor_.reduce(
           records_.count(), zero,
           detail::AddToSides{mesh, records_.bubbles(), records_.records(), include_boundary, n},
           detail::AddSums{});
@@ -111,8 +111,8 @@ public:
   }
 
 private:
-  Machine& machine_;
-  BubbleRecords<Machine> records_;
+  Executor& executor_;
+  BubbleRecords<Executor> records_;
 };
 
 } // namespace foam

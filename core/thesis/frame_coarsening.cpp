@@ -11,7 +11,7 @@
 #include "thesis/one_tension.h"
 #include "thesis/rules.h"
 #include "topology/cascade.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 #include "topology/operations.h"
 
 namespace foam {
@@ -46,13 +46,13 @@ CollapseRules collapse_rules(const ThesisRules& rules) {
                     Bubble b) { return !rules.slides(foam, b) && rules.vanishes(foam, b); }};
 }
 
-/// All operations in the rounds of topology/bidding.h.
+/// All operations in the rounds of topology/reservations.h.
 void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
   Host host;
   Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const OperationCount performed = Bidding<Host>(host).run(
+  const OperationCount performed = Reservations<Host>(host).run(
       view_of(foam),
-      CollapseBids<ThesisRules>{rules, FieldView<Film, std::uint8_t>(swappable.data())});
+      CollapseOperations<ThesisRules>{rules, FieldView<Film, std::uint8_t>(swappable.data())});
   count(foam, performed);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The thesis's method with all junctions at once (Figure 4.12), on any machine (parallel/host.h):
+// The thesis's method with all junctions at once (Figure 4.12), on any executor (parallel/host.h):
 // all junctions solve against one state of the foam. Positions then change in the order of
 // update_order.h, as the constraints need it, pressures all at the end, each bubble gathering the
 // changes of its junctions in the order of its films.
@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "base/abort.h"
-#include "equilibrium/options.h"
 #include "equilibrium/measures.h"
+#include "equilibrium/options.h"
 #include "thesis/junction_step.h"
 #include "thesis/one_tension.h"
 #include "thesis/update_order.h"
@@ -121,10 +121,10 @@ struct WriteHalfAngle {
 } // namespace detail
 
 /// Sweeps over all junctions of a mesh at once.
-template <class Machine> class JacobiSweep {
+template <class Executor> class JacobiSweep {
 public:
-  JacobiSweep(Machine& machine, const JunctionOptions& options)
-      : machine_(machine), options_(options), order_(machine) {}
+  JacobiSweep(Executor& executor, const JunctionOptions& options)
+      : executor_(executor), options_(options), order_(executor) {}
 
   /// Prepares for a mesh; to be called anew after every topological change.
   void prepare(const FoamView& mesh) {
@@ -140,22 +140,22 @@ public:
     const FieldView<Junction, JunctionChange> change(change_.data());
     const ConstFieldView<Junction, JunctionStep> solved(step.data());
     const ConstFieldView<Junction, JunctionChange> made(change.data());
-    machine_.for_each(junctions, detail::Solve{state, options_, step});
+    executor_.for_each(junctions, detail::Solve{state, options_, step});
     for (Index wave = 0; wave < order_.waves(); ++wave) {
-      machine_.for_each(junctions,
-                        detail::Move{mesh, options_, wave, order_.wave(), solved, change});
+      executor_.for_each(junctions,
+                         detail::Move{mesh, options_, wave, order_.wave(), solved, change});
     }
-    machine_.for_each(mesh.bubble_slots(), detail::GatherPressure{mesh, made});
-    return machine_.reduce(junctions, Maxima{}, detail::MaximaOf{state, made},
-                           detail::LargerOfEach{});
+    executor_.for_each(mesh.bubble_slots(), detail::GatherPressure{mesh, made});
+    return executor_.reduce(junctions, Maxima{}, detail::MaximaOf{state, made},
+                            detail::LargerOfEach{});
   }
 
 private:
-  Machine& machine_;
+  Executor& executor_;
   JunctionOptions options_;
-  UpdateOrder<Machine> order_;
-  typename Machine::template Array<JunctionStep> step_;
-  typename Machine::template Array<JunctionChange> change_;
+  UpdateOrder<Executor> order_;
+  typename Executor::template Array<JunctionStep> step_;
+  typename Executor::template Array<JunctionChange> change_;
 };
 
 /// Figure 4.3, with the thesis's words where they differ from it: what counts are the changes after
@@ -169,8 +169,8 @@ inline bool halt(const Maxima& now, const Maxima& old, const JunctionOptions& op
 /// Calls sweep() until the halting rule is met, then gives the films the half-angles of their
 /// pressures and measures what was reached. \throws Aborted between two sweeps, and FoamError
 /// before the first for a mesh that the method is not made for.
-template <class Machine, class Sweep>
-EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
+template <class Executor, class Sweep>
+EquilibriumReport sweep_to_rest(Executor& executor, const FoamView& mesh,
                                 const EquilibratorOptions& options, const AbortCheck& aborted,
                                 Sweep&& sweep) {
   require_one_tension(mesh);
@@ -186,8 +186,8 @@ EquilibriumReport sweep_to_rest(Machine& machine, const FoamView& mesh,
     ++report.iterations;
     halted = halt(now, old, options.junction);
   }
-  machine.for_each(mesh.film_slots(), detail::WriteHalfAngle{mesh});
-  const EquilibriumMeasures measures = measure_equilibrium(machine, const_view(mesh));
+  executor.for_each(mesh.film_slots(), detail::WriteHalfAngle{mesh});
+  const EquilibriumMeasures measures = measure_equilibrium(executor, const_view(mesh));
   report.max_angle_error = measures.angle_error;
   report.max_area_error = measures.area_error;
   report.residual = std::max(report.max_angle_error, report.max_area_error);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // FrameCoarsening's frame with TopologicalAlgorithm::Simultaneous and Sweep::Jacobi, every step of
-// it in parallel on a machine (parallel/host.h).
+// it in parallel on an executor (parallel/host.h).
 #pragma once
 
 #include "coarsening/frame_result.h"
@@ -12,7 +12,7 @@
 #include "thesis/jacobi_sweep.h"
 #include "thesis/one_tension.h"
 #include "thesis/rules.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 
 namespace foam {
 namespace thesis::detail {
@@ -38,11 +38,11 @@ struct KeepAbove {
 
 } // namespace thesis::detail
 
-template <class Machine> class ParallelFrame {
+template <class Executor> class ParallelFrame {
 public:
-  ParallelFrame(Machine& machine, const CoarseningOptions& options)
-      : machine_(machine), options_(options), bidding_(machine),
-        jacobi_(machine, options.equilibrator.junction), allowed_(machine) {}
+  ParallelFrame(Executor& executor, const CoarseningOptions& options)
+      : executor_(executor), options_(options), reservations_(executor),
+        jacobi_(executor, options.equilibrator.junction), allowed_(executor) {}
 
   /// Advances a mesh by one time step.
   /// \param begin called as begin(), gives the mesh as it was before the frame. Where the frame
@@ -52,36 +52,37 @@ public:
     const FoamView mesh = begin();
     thesis::require_one_tension(mesh);
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
-    const BubbleSums sums = sum_bubbles(machine_, rate.mesh, rate);
-    const Thresholds limit = thresholds(machine_, mesh, sums.target_area, options_.thresholds);
-    diffuse(machine_, mesh, rate, sums, options_.time_step);
+    const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
+    const Thresholds limit = thresholds(executor_, mesh, sums.target_area, options_.thresholds);
+    diffuse(executor_, mesh, rate, sums, options_.time_step);
     if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
-        machine_.reduce(mesh.bubble_slots(), false, IsGone{rate.mesh, limit.t2_area},
-                        parallel::Or{})) {
+        executor_.reduce(mesh.bubble_slots(), false, IsGone{rate.mesh, limit.t2_area},
+                         parallel::Or{})) {
       return {};
     }
     FrameResult result;
     result.performed = true;
     const ThesisRules rules{limit, options_.two_sided_bubbles};
     if (rules.two_sided_bubbles == TwoSidedBubbles::Slide) {
-      bidding_.run(mesh, SlideBids{rules.two_sided(), allowed_.all_set(mesh.bubble_slots())});
+      reservations_.run(mesh,
+                        SlideOperations{rules.two_sided(), allowed_.all_set(mesh.bubble_slots())});
     }
-    result.operations =
-        bidding_.run(mesh, CollapseBids<ThesisRules>{rules, allowed_.all_set(mesh.film_slots())});
-    machine_.for_each(mesh.bubble_slots(),
-                      KeepAbove{mesh.target_area, kLeastTarget * sums.mean_area()});
+    result.operations = reservations_.run(
+        mesh, CollapseOperations<ThesisRules>{rules, allowed_.all_set(mesh.film_slots())});
+    executor_.for_each(mesh.bubble_slots(),
+                       KeepAbove{mesh.target_area, kLeastTarget * sums.mean_area()});
     jacobi_.prepare(mesh);
-    result.report = thesis::sweep_to_rest(machine_, mesh, options_.equilibrator, aborted,
+    result.report = thesis::sweep_to_rest(executor_, mesh, options_.equilibrator, aborted,
                                           [&] { return jacobi_.sweep(mesh); });
     return result;
   }
 
 private:
-  Machine& machine_;
+  Executor& executor_;
   CoarseningOptions options_;
-  Bidding<Machine> bidding_;
-  thesis::JacobiSweep<Machine> jacobi_;
-  parallel::Flags<Machine> allowed_;
+  Reservations<Executor> reservations_;
+  thesis::JacobiSweep<Executor> jacobi_;
+  parallel::Flags<Executor> allowed_;
 };
 
 } // namespace foam

@@ -85,20 +85,20 @@ struct IsWaiting {
 
 } // namespace detail
 
-/// The waves of a mesh, found on a machine (parallel/host.h).
-template <class Machine> class UpdateOrder {
+/// The waves of a mesh, found on an executor (parallel/host.h).
+template <class Executor> class UpdateOrder {
 public:
-  explicit UpdateOrder(Machine& machine) : machine_(machine) {}
+  explicit UpdateOrder(Executor& executor) : executor_(executor) {}
 
   /// Finds the waves; to be called anew after every topological change.
   void find(const ConstFoamView& mesh, int reach) {
     wave_.resize(place_of(mesh.junctions));
     next_.resize(place_of(mesh.junctions));
-    machine_.for_each(mesh.junctions, parallel::Fill<Index>{wave_.data(), detail::kWaiting});
+    executor_.for_each(mesh.junctions, parallel::Fill<Index>{wave_.data(), detail::kWaiting});
     waves_ = 0;
-    while (machine_.reduce(mesh.junction_slots(), false, detail::IsWaiting{mesh, wave()},
-                           parallel::Or{})) {
-      machine_.for_each(
+    while (executor_.reduce(mesh.junction_slots(), false, detail::IsWaiting{mesh, wave()},
+                            parallel::Or{})) {
+      executor_.for_each(
           mesh.junction_slots(),
           detail::JoinWave{mesh, reach, waves_, wave(), FieldView<Junction, Index>(next_.data())});
       std::swap(wave_, next_);
@@ -113,9 +113,9 @@ public:
   }
 
 private:
-  Machine& machine_;
-  typename Machine::template Array<Index> wave_;
-  typename Machine::template Array<Index> next_;
+  Executor& executor_;
+  typename Executor::template Array<Index> wave_;
+  typename Executor::template Array<Index> next_;
   Index waves_ = 0;
 };
 

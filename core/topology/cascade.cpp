@@ -54,7 +54,7 @@ private:
     std::erase_if(films_, [&](Film f) { return std::ranges::binary_search(sorted, f); });
   }
 
-  void push(const Aftermath& after) {
+  void push(const Affected& after) {
     films_.insert(films_.end(), after.films.begin(), after.films.end());
     bubbles_.insert(bubbles_.end(), after.bubbles.begin(), after.bubbles.end());
   }

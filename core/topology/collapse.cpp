@@ -7,11 +7,11 @@
 
 namespace foam {
 
-Aftermath Collapse::film(Film film) {
+Affected Collapse::film(Film film) {
   if (!rules_.t1 || !can_perform_t1(foam_, film) || !rules_.t1(foam_, film)) {
     return {};
   }
-  Aftermath after{.performed = true, .films = {}, .bubbles = {}};
+  Affected after{.performed = true, .films = {}, .bubbles = {}};
   for (const Bubble loser : perform_t1(foam_, film)) {
     if (!loser.is_outside()) {
       after.bubbles.push_back(loser);
@@ -23,8 +23,8 @@ Aftermath Collapse::film(Film film) {
   return after;
 }
 
-Aftermath Collapse::bubble(Bubble bubble) {
-  Aftermath after;
+Affected Collapse::bubble(Bubble bubble) {
+  Affected after;
   const auto lost = [&](Bubble neighbour) {
     if (!neighbour.is_outside()) {
       after.bubbles.push_back(neighbour);

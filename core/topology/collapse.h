@@ -8,7 +8,7 @@
 namespace foam {
 
 /// Where to look next after a topological operation.
-struct Aftermath {
+struct Affected {
   bool performed = false;
   std::vector<Film> films;     ///< prolonged by it
   std::vector<Bubble> bubbles; ///< that lost a side or two, without outsides
@@ -22,9 +22,9 @@ public:
   Collapse(Foam& foam, const CollapseRules& rules) : foam_(foam), rules_(rules) {}
 
   /// Swaps the film.
-  Aftermath film(Film film);
+  Affected film(Film film);
   /// Removes the bubble, by a T2 or a T3.
-  Aftermath bubble(Bubble bubble);
+  Affected bubble(Bubble bubble);
 
   CascadeResult result() &&;
 

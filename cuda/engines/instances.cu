@@ -6,7 +6,7 @@
 #include "algebra/device_direct_solver.h"
 #include "coarsening/newton_frame.h"
 #include "coarsening/resident_coarsening.cuh"
-#include "equilibrium/machine_equilibrator.h"
+#include "equilibrium/executor_equilibrator.h"
 #include "mesh/device_foam.h"
 #include "parallel/gpu.cuh"
 #include "thesis/jacobi_sweep.h"
@@ -44,8 +44,8 @@ private:
 
 std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& options) {
   if (options.kind == EquilibratorKind::Newton) {
-    return std::make_unique<MachineEquilibrator<Gpu, DeviceFoam>>(options, Gpu(),
-                                                                  direct_solver_for(options));
+    return std::make_unique<ExecutorEquilibrator<Gpu, DeviceFoam>>(options, Gpu(),
+                                                                   direct_solver_for(options));
   }
   return std::make_unique<DeviceJunctions>(options);
 }

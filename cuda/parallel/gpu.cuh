@@ -22,9 +22,9 @@ template <class Kernel> __global__ void call_for_each(Index size, Kernel kernel)
   }
 }
 
-/// The GPU as a machine for parallel algorithms, under the names of core's Host
+/// The GPU as an executor for parallel algorithms, under the names of core's Host
 /// (core/parallel/host.h). Everything runs on the default stream, one after the other; only
-/// reduce() and sum_up() wait for it.
+/// reduce() and exclusive_scan() wait for it.
 class Gpu {
 public:
   template <class T> using Array = DeviceArray<T>;
@@ -70,7 +70,7 @@ public:
 
   /// Each of counts[0], …, counts[size − 1] becomes the sum of those before it, and counts[size]
   /// the sum of all, which is returned. T is an integer.
-  template <class T> T sum_up(T* counts, Index size) {
+  template <class T> T exclusive_scan(T* counts, Index size) {
     std::size_t bytes = 0;
     check(cub::DeviceScan::ExclusiveSum(nullptr, bytes, counts, size + 1), "a sum");
     scratch_.resize(bytes);

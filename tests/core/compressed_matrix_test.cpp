@@ -167,7 +167,7 @@ Found equilibrate(Boundary boundary, std::unique_ptr<DirectSolver> direct) {
   options.tolerance = 1e-11;
   Host host;
   const NewtonResult result =
-      MachineNewton<Host>(host, options, std::move(direct)).equilibrate(view_of(foam), 0, {});
+      WholeFoamNewton<Host>(host, options, std::move(direct)).equilibrate(view_of(foam), 0, {});
   return {foam, result};
 }
 

@@ -16,6 +16,7 @@
 namespace foam {
 namespace {
 
+using namespace multigrid;
 using namespace newton;
 
 Foam disordered(Index side, double displacement = 0.1, double swaps = 0.1) {

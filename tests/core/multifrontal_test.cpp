@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "algebra/conjugate_residuals.h"
 #include "algebra/dense_elimination.h"
+#include "algebra/generalised_conjugate_residuals.h"
 #include "equilibrium/nested_dissection.h"
 #include "equilibrium/newton_matrix.h"
 #include "foams.h"
@@ -25,7 +25,7 @@ struct System {
     const auto size = matrix.unknowns().count();
     const std::vector<double> diagonal = matrix.diagonal();
     dense = Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
-    for (const FilmShare& share : matrix.shares()) {
+    for (const FilmMatrix& share : matrix.shares()) {
       for_each_lower<7>([&](std::size_t row, std::size_t column, std::size_t k) {
         const Index u = share.unknown[row];
         const Index v = share.unknown[column];
@@ -111,7 +111,7 @@ TEST_P(MultifrontalOfAnyBoundary, BranchesShareNoEquation) {
     }
     return lower == upper;
   };
-  for (const FilmShare& share : system.matrix.shares()) {
+  for (const FilmMatrix& share : system.matrix.shares()) {
     for (const Index u : share.unknown) {
       for (const Index v : share.unknown) {
         if (u != kNone && v != kNone) {
@@ -177,11 +177,11 @@ TEST(Multifrontal, RefusesAMatrixThatIsSingular) {
   MultifrontalSolver solver;
   solver.analyse(system.tree(foam), system.matrix.shares());
   const std::vector<double> nothing(place_of(system.matrix.unknowns().count()), 0.0);
-  std::vector<FilmShare> shares(system.matrix.shares().begin(), system.matrix.shares().end());
-  for (FilmShare& share : shares) {
+  std::vector<FilmMatrix> shares(system.matrix.shares().begin(), system.matrix.shares().end());
+  for (FilmMatrix& share : shares) {
     share.value.fill(0);
   }
-  EXPECT_EQ(solver.factorise(std::span<const FilmShare>(shares), nothing), -1);
+  EXPECT_EQ(solver.factorise(std::span<const FilmMatrix>(shares), nothing), -1);
 }
 
 /// K = L·D·Lᵀ put together again, for sizes around those of tiles and blocks.
@@ -259,7 +259,7 @@ TEST(ConjugateResiduals, NeedOneDirectionForEachKindOfError) {
   std::vector<double> x(8, 0.0);
   std::vector<double> rest = load;
   int steps = 0;
-  const bool solved = conjugate_residuals(
+  const bool solved = generalised_conjugate_residuals(
       std::span<double>(x), rest, weight,
       [&](std::span<const double> z, std::span<double> from) {
         for (std::size_t i = 0; i < 8; ++i) {

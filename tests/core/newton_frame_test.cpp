@@ -253,7 +253,7 @@ TEST(NewtonFrame, ABubbleThatWouldLoseTooMuchKeepsItsGas) {
   const Field<Bubble, double> before = foam.target_area;
   const ConstFoamView mesh = const_view(view_of(foam));
   const NewtonRules rules{.rate = area_rate(mesh, 1), .time_step = 0.01};
-  const detail::BearableRate rate{rules};
+  const detail::AdmissibleRate rate{rules};
   Host host;
   const double step = von_neumann_constant(0.25, 1) * 0.01;
   diffuse(host, view_of(foam), rate, sum_bubbles(host, mesh, rate), 0.01);
@@ -263,7 +263,7 @@ TEST(NewtonFrame, ABubbleThatWouldLoseTooMuchKeepsItsGas) {
   }
 }
 
-TEST(NewtonFrame, IsNewtonsCoarseningWithBidding) {
+TEST(NewtonFrame, IsNewtonsCoarseningAtFixedSteps) {
   const Foam start = random_foam(50, Boundary::Free, 1);
   NewtonFrameCoarsening expected(frames());
   const auto made = make_coarsening(frames());

@@ -479,11 +479,11 @@ struct ShortFilm {
 TEST(OwnTensions, PullAFilmShutThatTheyOvercome) {
   // Two films of tension 0.5 pull across with 2·0.5·sin 50° = 0.766.
   ShortFilm s;
-  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  EXPECT_TRUE(unstable_to_t1(s.foam, s.film));
   s.tension(0, 1) = 0.76;
-  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  EXPECT_TRUE(unstable_to_t1(s.foam, s.film));
   s.tension(0, 1) = 0.77;
-  EXPECT_FALSE(pulled_shut(s.foam, s.film));
+  EXPECT_FALSE(unstable_to_t1(s.foam, s.film));
 }
 
 TEST(OwnTensions, PullAFilmShutHarderAcrossThanAlong) {
@@ -492,9 +492,9 @@ TEST(OwnTensions, PullAFilmShutHarderAcrossThanAlong) {
   ShortFilm s;
   s.tension(0, 1) = 0.1;
   s.tension(0, 3) = s.tension(1, 4) = 0.38;
-  EXPECT_TRUE(pulled_shut(s.foam, s.film));
+  EXPECT_TRUE(unstable_to_t1(s.foam, s.film));
   s.tension(0, 3) = s.tension(1, 4) = 0.36;
-  EXPECT_FALSE(pulled_shut(s.foam, s.film));
+  EXPECT_FALSE(unstable_to_t1(s.foam, s.film));
 }
 
 TEST(OwnTensions, ThatAreAllTheSameChangeNothing) {
@@ -502,7 +502,7 @@ TEST(OwnTensions, ThatAreAllTheSameChangeNothing) {
   Foam own = uniform;
   give_tensions(own);
   for (const Film f : uniform.film_slots()) {
-    EXPECT_EQ(pulled_shut(own, f), pulled_shut(uniform, f));
+    EXPECT_EQ(unstable_to_t1(own, f), unstable_to_t1(uniform, f));
     EXPECT_EQ(can_perform_t1(own, f), can_perform_t1(uniform, f));
   }
 }

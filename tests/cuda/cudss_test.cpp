@@ -11,7 +11,7 @@
 #include "algebra/device_direct_solver.h"
 #include "base/error.h"
 #include "construct/honeycomb.h"
-#include "equilibrium/machine_newton.h"
+#include "equilibrium/whole_foam_newton.h"
 #include "mesh/device_foam.h"
 #include "mesh/validate.h"
 #include "parallel/gpu.cuh"
@@ -35,7 +35,7 @@ Found equilibrate(std::unique_ptr<DirectSolver> direct, double t1_length) {
   EquilibratorOptions options;
   options.tolerance = 1e-11;
   Gpu gpu;
-  const newton::NewtonResult result = newton::MachineNewton<Gpu>(gpu, options, std::move(direct))
+  const newton::NewtonResult result = newton::WholeFoamNewton<Gpu>(gpu, options, std::move(direct))
                                           .equilibrate(device.view(), t1_length, {});
   device.download(foam);
   EXPECT_TRUE(result.report.converged);

@@ -28,8 +28,8 @@
 #include "thesis/jacobi_sweep.h"
 #include "thesis/parallel_frame.h"
 #include "thesis/rules.h"
-#include "topology/bidding.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
+#include "topology/reservations.h"
 
 namespace foam {
 namespace {
@@ -61,11 +61,11 @@ ThesisRules coarse_rules(TwoSidedBubbles two_sided = TwoSidedBubbles::Remove) {
   return {.limit = {.t1_length = 0.5, .t2_area = 0.8}, .two_sided_bubbles = two_sided};
 }
 
-CollapseBids<ThesisRules> collapse_bids(std::uint8_t* swappable) {
+CollapseOperations<ThesisRules> collapse_operations(std::uint8_t* swappable) {
   return {coarse_rules(), FieldView<Film, std::uint8_t>(swappable)};
 }
 
-SlideBids slide_bids(std::uint8_t* waiting) {
+SlideOperations slide_operations(std::uint8_t* waiting) {
   return {coarse_rules(TwoSidedBubbles::Slide).two_sided(),
           FieldView<Bubble, std::uint8_t>(waiting)};
 }
@@ -174,8 +174,8 @@ void sums() {
     }
     DeviceArray<std::int64_t> there(here);
     const auto size = static_cast<Index>(n);
-    const std::int64_t sum_there = gpu.sum_up(there.data(), size);
-    EXPECT_EQ(sum_there, host.sum_up(here.data(), size));
+    const std::int64_t sum_there = gpu.exclusive_scan(there.data(), size);
+    EXPECT_EQ(sum_there, host.exclusive_scan(here.data(), size));
     EXPECT_TRUE(fetch(there) == here);
   }
 }
@@ -229,7 +229,7 @@ void sweep() {
   }
 }
 
-void bidding() {
+void reservations() {
   Foam foam = disordered();
   DeviceFoam device;
   device.upload(foam);
@@ -238,9 +238,9 @@ void bidding() {
   std::vector<std::uint8_t> swappable(foam.film_angle.size(), 1);
   DeviceArray<std::uint8_t> swappable_there(swappable);
   const OperationCount there =
-      Bidding<Gpu>(gpu).run(device.view(), collapse_bids(swappable_there.data()));
+      Reservations<Gpu>(gpu).run(device.view(), collapse_operations(swappable_there.data()));
   const OperationCount here =
-      Bidding<Host>(host).run(view_of(foam), collapse_bids(swappable.data()));
+      Reservations<Host>(host).run(view_of(foam), collapse_operations(swappable.data()));
   EXPECT_GT(here.t1, 100);
   EXPECT_EQ(there.t1, here.t1);
   EXPECT_EQ(there.t2, here.t2);
@@ -261,8 +261,9 @@ void sliding() {
   Host host;
   std::vector<std::uint8_t> waiting(foam.bubble_half.size(), 1);
   DeviceArray<std::uint8_t> waiting_there(waiting);
-  const auto there = Bidding<Gpu>(gpu).run(device.view(), slide_bids(waiting_there.data()));
-  const auto here = Bidding<Host>(host).run(view_of(foam), slide_bids(waiting.data()));
+  const auto there =
+      Reservations<Gpu>(gpu).run(device.view(), slide_operations(waiting_there.data()));
+  const auto here = Reservations<Host>(host).run(view_of(foam), slide_operations(waiting.data()));
   EXPECT_GT(here.count, 10);
   EXPECT_EQ(there.count, here.count);
   Foam fetched = foam;
@@ -666,7 +667,7 @@ int main(int argc, char** argv) {
       {"arrays", arrays},
       {"update_order", update_order},
       {"sweep", sweep},
-      {"bidding", bidding},
+      {"reservations", reservations},
       {"sliding", sliding},
       {"frames", frames},
       {"repetition", repetition},

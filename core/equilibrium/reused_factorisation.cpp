@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "equilibrium/factorisation.h"
+#include "equilibrium/reused_factorisation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,14 @@ void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::sp
 
 } // namespace
 
-void Factorisation::analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
+void ReusedFactorisation::analyse(const Foam& foam, const Region& region,
+                                  const NewtonMatrix& matrix) {
   solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
 }
 
-Index Factorisation::factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
-  translation_.clear();
+Index ReusedFactorisation::factorise(const Foam& foam, const Region& region,
+                                     const NewtonMatrix& matrix) {
+  renumbering_.clear();
   patch_.reset();
   topology_ = foam.topology;
   whole_ = region.whole;
@@ -61,10 +63,11 @@ Index Factorisation::factorise(const Foam& foam, const Region& region, const New
   return solver_.factorise(matrix.shares(), matrix.diagonal());
 }
 
-bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix) {
+bool ReusedFactorisation::adapt(const Foam& foam, const Region& region,
+                                const NewtonMatrix& matrix) {
   solver_.round();
   if (topology_ != foam.topology) {
-    translation_ = translation(region, matrix.unknowns(), unknowns_);
+    renumbering_ = renumbering(region, matrix.unknowns(), unknowns_);
     topology_ = foam.topology;
   }
   std::vector<Bubble> bubbles = changed_bubbles(foam, region);
@@ -75,7 +78,7 @@ bool Factorisation::adapt(const Foam& foam, const Region& region, const NewtonMa
   return bubbles.empty() || make_patch(foam, region, std::move(bubbles), matrix);
 }
 
-Factorisation::FilmState Factorisation::state_of(const Foam& foam, Film film) {
+ReusedFactorisation::FilmState ReusedFactorisation::state_of(const Foam& foam, Film film) {
   const Half h = film.half();
   return {{foam.start(h), foam.end(h)},
           {foam.left(h), foam.right(h)},
@@ -83,7 +86,7 @@ Factorisation::FilmState Factorisation::state_of(const Foam& foam, Film film) {
           foam.half_angle(h)};
 }
 
-bool Factorisation::changed(const Foam& foam, Film film) const {
+bool ReusedFactorisation::changed(const Foam& foam, Film film) const {
   if (film.place() >= films_.size()) {
     return true;
   }
@@ -94,7 +97,8 @@ bool Factorisation::changed(const Foam& foam, Film film) const {
          std::abs(now.angle - before.angle) > kLargestChange;
 }
 
-std::vector<Bubble> Factorisation::changed_bubbles(const Foam& foam, const Region& region) const {
+std::vector<Bubble> ReusedFactorisation::changed_bubbles(const Foam& foam,
+                                                         const Region& region) const {
   std::vector<Bubble> bubbles;
   for (const Film f : region.films) {
     if (changed(foam, f)) {
@@ -105,8 +109,8 @@ std::vector<Bubble> Factorisation::changed_bubbles(const Foam& foam, const Regio
 }
 
 /// \returns false if the patch is too large or singular.
-bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vector<Bubble> bubbles,
-                               const NewtonMatrix& matrix) {
+bool ReusedFactorisation::make_patch(const Foam& foam, const Region& region,
+                                     std::vector<Bubble> bubbles, const NewtonMatrix& matrix) {
   const double most = kLargestPatch * static_cast<double>(region.bubbles.size());
   const Region around = patch(foam, bubbles, kPatchRings);
   if (static_cast<double>(around.bubbles.size()) > most) {
@@ -123,7 +127,7 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vect
   }
   made.matrix.set_up(foam, around, keep_angle);
   made.matrix.assemble(foam, around, 0);
-  made.rows = translation(around, made.matrix.unknowns(), matrix.unknowns());
+  made.rows = renumbering(around, made.matrix.unknowns(), matrix.unknowns());
   made.solver.analyse(nested_dissection(foam, around, made.matrix.unknowns()),
                       made.matrix.shares());
   if (made.solver.factorise(made.matrix.shares(), made.matrix.diagonal()) < 0) {
@@ -133,7 +137,7 @@ bool Factorisation::make_patch(const Foam& foam, const Region& region, std::vect
   return true;
 }
 
-void Factorisation::solve(std::span<double> rhs) {
+void ReusedFactorisation::solve(std::span<double> rhs) {
   std::vector<double> rest;
   if (patch_) {
     for (const Index u : patch_->rows) {
@@ -152,8 +156,8 @@ void Factorisation::solve(std::span<double> rhs) {
 
 /// With the matrix that was factorised. What was not there then does not move, and its part of the
 /// load is left out.
-void Factorisation::solve_as_before(std::span<double> rhs) {
-  if (translation_.empty()) {
+void ReusedFactorisation::solve_as_before(std::span<double> rhs) {
+  if (renumbering_.empty()) {
     if (whole_) {
       balance(surroundings_, unknowns_, rhs);
     }
@@ -162,14 +166,14 @@ void Factorisation::solve_as_before(std::span<double> rhs) {
   }
   std::vector<double> old(place_of(unknowns_.count()), 0.0);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
-    if (translation_[u] != kNone) {
-      old[place_of(translation_[u])] = rhs[u];
+    if (renumbering_[u] != kNone) {
+      old[place_of(renumbering_[u])] = rhs[u];
     }
   }
   balance(surroundings_, unknowns_, old);
   solver_.solve(old);
   for (std::size_t u = 0; u < rhs.size(); ++u) {
-    rhs[u] = translation_[u] == kNone ? 0 : old[place_of(translation_[u])];
+    rhs[u] = renumbering_[u] == kNone ? 0 : old[place_of(renumbering_[u])];
   }
 }
 

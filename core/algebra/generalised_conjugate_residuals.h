@@ -17,9 +17,11 @@ namespace foam {
 /// \param small (rest): whether it is small enough; \param most directions.
 /// \returns whether it is.
 template <class SubtractProduct, class Precondition, class Small>
-bool conjugate_residuals(std::span<double> x, std::vector<double>& rest,
-                         std::span<const double> weight, const SubtractProduct& subtract_product,
-                         const Precondition& precondition, const Small& small, int most) {
+bool generalised_conjugate_residuals(std::span<double> x, std::vector<double>& rest,
+                                     std::span<const double> weight,
+                                     const SubtractProduct& subtract_product,
+                                     const Precondition& precondition, const Small& small,
+                                     int most) {
   const auto product = [weight](std::span<const double> a, std::span<const double> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {

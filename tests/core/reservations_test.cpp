@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "topology/bidding.h"
+#include "topology/reservations.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +13,15 @@
 #include "hand_made.h"
 #include "parallel/host.h"
 #include "thesis/rules.h"
-#include "topology/collapse_bids.h"
+#include "topology/collapse_operations.h"
 #include "topology/operations.h"
 
 namespace foam {
 namespace {
 
-using Bids = CollapseBids<ThesisRules>;
+using Operations = CollapseOperations<ThesisRules>;
 
-/// A machine that calls its kernels one by one in an order of its own.
+/// An executor that calls its kernels one by one in an order of its own.
 class Shuffled {
 public:
   template <class T> using Array = std::vector<T>;
@@ -66,10 +66,11 @@ private:
   std::vector<std::uint8_t> flags_;
 };
 
-template <class Machine> Collapsed collapsed(Machine machine, Foam foam, const ThesisRules& rules) {
+template <class Executor>
+Collapsed collapsed(Executor executor, Foam foam, const ThesisRules& rules) {
   AllSet swappable(foam.film_slots());
   const OperationCount performed =
-      Bidding<Machine>(machine).run(view_of(foam), Bids{rules, swappable});
+      Reservations<Executor>(executor).run(view_of(foam), Operations{rules, swappable});
   return {std::move(foam), performed};
 }
 
@@ -86,27 +87,27 @@ void expect_same(const Foam& a, const Foam& b) {
   EXPECT_EQ(a.pressure, b.pressure);
 }
 
-/// Performs the candidate with the lowest bid of all until there is none.
+/// Performs the candidate with the lowest key of all until there is none.
 OperationCount collapse_greedily(Foam& foam, const ThesisRules& rules) {
   AllSet swappable(foam.film_slots());
-  const Bids bids{rules, swappable};
+  const Operations operations{rules, swappable};
   FoamView mesh = view_of(foam);
   OperationCount total;
   while (true) {
     Index best = 0;
-    for (const Index i : Bids::candidates(mesh)) {
-      best = bids.key(mesh, i) < bids.key(mesh, best) ? i : best;
+    for (const Index i : Operations::candidates(mesh)) {
+      best = operations.key(mesh, i) < operations.key(mesh, best) ? i : best;
     }
-    if (bids.key(mesh, best) == kNoBid) {
+    if (operations.key(mesh, best) == kNoReservation) {
       return total;
     }
-    total = total + Bids::count(mesh, best);
-    bids.perform(mesh, best);
+    total = total + Operations::count(mesh, best);
+    operations.perform(mesh, best);
   }
 }
 
 class Boundaries : public testing::TestWithParam<Boundary> {};
-INSTANTIATE_TEST_SUITE_P(Bidding, Boundaries,
+INSTANTIATE_TEST_SUITE_P(Reservations, Boundaries,
                          testing::Values(Boundary::Free, Boundary::Periodic, Boundary::Fixed));
 
 TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
@@ -114,10 +115,10 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
     Foam foam = test::jittered_foam(GetParam(), 300, seed);
     AllSet swappable(foam.film_slots());
     Host host;
-    Bidding<Host> bidding(host);
+    Reservations<Host> reservations(host);
     int rounds = 0;
     for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-      performed = bidding.round(view_of(foam), Bids{coarse_rules(), swappable});
+      performed = reservations.round(view_of(foam), Operations{coarse_rules(), swappable});
       expect_valid(foam);
       count(foam, performed);
       ASSERT_LT(rounds, 1000);
@@ -132,22 +133,23 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
 TEST_P(Boundaries, WinnersOfARoundTouchNoCommonBubble) {
   Foam foam = test::jittered_foam(GetParam(), 400, 5);
   AllSet swappable(foam.film_slots());
-  const Bids bids{coarse_rules(), swappable};
+  const Operations operations{coarse_rules(), swappable};
   const ConstFoamView mesh = const_view(view_of(foam));
-  std::vector<std::uint64_t> lowest(foam.bubble_half.size(), kNoBid);
-  const Slots<Index> candidates = Bids::candidates(mesh);
-  std::vector<std::uint64_t> bid(place_of(candidates.size()));
+  std::vector<std::uint64_t> lowest(foam.bubble_half.size(), kNoReservation);
+  const Slots<Index> candidates = Operations::candidates(mesh);
+  std::vector<std::uint64_t> key(place_of(candidates.size()));
   Host host;
-  host.for_each(candidates.size(), detail::PlaceBids<Bids>{mesh, bids, bid.data(), lowest.data()});
   host.for_each(candidates.size(),
-                detail::WithdrawBids<Bids>{mesh, bids, bid.data(), lowest.data()});
+                detail::Reserve<Operations>{mesh, operations, key.data(), lowest.data()});
+  host.for_each(candidates.size(),
+                detail::Withdraw<Operations>{mesh, operations, key.data(), lowest.data()});
   std::set<Bubble> taken;
   int winners = 0;
   for (const Index i : candidates) {
-    if (bid[place_of(i)] != kNoBid) {
+    if (key[place_of(i)] != kNoReservation) {
       ++winners;
       std::set<Bubble> own;
-      for (const Bubble b : Bids::bubbles(mesh, i)) {
+      for (const Bubble b : Operations::bubbles(mesh, i)) {
         own.insert(b);
       }
       own.erase(kWorld);
@@ -176,7 +178,7 @@ TEST_P(Boundaries, ResultDoesNotDependOnTheOrderOfVisiting) {
 }
 
 /// As long as no operation makes a candidate that would have come before one that went ahead
-/// elsewhere, the rounds do what a greedy walk in the order of the bids does.
+/// elsewhere, the rounds do what a greedy walk in the order of the operations does.
 TEST_P(Boundaries, RoundsDoWhatAGreedyWalkDoes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Foam start = test::jittered_foam(GetParam(), 200, seed);
@@ -218,18 +220,20 @@ TEST_P(Boundaries, TwoSidedBubblesSlideAsOneAfterTheOther) {
   }
   AllSet waiting(parallel.bubble_slots());
   Host host(4, 16);
-  EXPECT_EQ(Bidding<Host>(host).run(view_of(parallel), SlideBids{rules.two_sided(), waiting}).count,
+  EXPECT_EQ(Reservations<Host>(host)
+                .run(view_of(parallel), SlideOperations{rules.two_sided(), waiting})
+                .count,
             slid);
   EXPECT_GT(slid, 10);
   expect_same(parallel, serial);
 }
 
 TEST(BidKey, OrdersByRankThenSizeThenNumber) {
-  EXPECT_LT(bid_key(false, 10, 9), bid_key(true, 0, 0));
-  EXPECT_LT(bid_key(true, 0.1, 9), bid_key(true, 0.2, 0));
-  EXPECT_LT(bid_key(true, 0, 9), bid_key(true, 1e-30, 0));
-  EXPECT_LT(bid_key(true, 0.1, 3), bid_key(true, 0.1, 4));
-  EXPECT_NE(bid_key(true, 1e30, 2147483647), kNoBid);
+  EXPECT_LT(reservation_key(false, 10, 9), reservation_key(true, 0, 0));
+  EXPECT_LT(reservation_key(true, 0.1, 9), reservation_key(true, 0.2, 0));
+  EXPECT_LT(reservation_key(true, 0, 9), reservation_key(true, 1e-30, 0));
+  EXPECT_LT(reservation_key(true, 0.1, 3), reservation_key(true, 0.1, 4));
+  EXPECT_NE(reservation_key(true, 1e30, 2147483647), kNoReservation);
 }
 
 } // namespace

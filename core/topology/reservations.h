@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Local operations on the mesh, many at once, with a result that depends on the mesh alone: every
-// candidate bids for the bubbles that it touches, and goes ahead where none of them has had a lower
-// bid. Two operations that touch the same film or junction touch a common bubble, so that those
-// which go ahead do not meet.
+// Local operations on the mesh, many at once, with a result that depends on the mesh alone, by
+// deterministic reservations (G. E. Blelloch, J. T. Fineman, P. B. Gibbons, J. Shun, Internally
+// deterministic parallel algorithms can be fast, PPoPP 2012): every candidate reserves the bubbles
+// that it touches, and goes ahead where none of them is reserved by another of higher priority. Two
+// operations that touch the same film or junction touch a common bubble, so that those which go
+// ahead do not meet.
 //
 // An operation has
 //   candidates(mesh)   all that may be candidates, as Slots of elements or of numbers,
-//   key(mesh, c)       the bid of candidate c, no two alike; kNoBid where it cannot or will not,
+//   key(mesh, c)       by which c reserves, the lowest first, no two alike; kNoReservation where it
+//                      cannot or will not,
 //   bubbles(mesh, c)   the bubbles that it touches,
-//   count(mesh, c)     what it counts for: Performed, or as Performed,
+//   count(mesh, c)     what it counts for: Performed, or as Performed, and
 //   perform(mesh, c)   what it does. Nothing outside of these bubbles is read or written.
 // The mesh is a ConstFoamView, and a FoamView where it is changed.
 #pragma once
@@ -24,9 +27,9 @@
 
 namespace foam {
 
-inline constexpr std::uint64_t kNoBid = ~std::uint64_t{0};
+inline constexpr std::uint64_t kNoReservation = ~std::uint64_t{0};
 
-/// The bubbles around a candidate, filled up with an outside, for which nobody has to bid: a
+/// The bubbles around a candidate, filled up with an outside, which nobody has to reserve: a
 /// junction beside it has two other bubbles.
 using Touched = std::array<Bubble, 5>;
 
@@ -49,93 +52,93 @@ struct Performed {
 
 namespace detail {
 
-template <class Operation> struct PlaceBids {
+template <class Operation> struct Reserve {
   ConstFoamView mesh;
   Operation operation;
-  std::uint64_t* bid = nullptr;
+  std::uint64_t* key = nullptr; ///< by candidate
   std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     const auto candidate = operation.candidates(mesh)[i];
-    const std::uint64_t key = operation.key(mesh, candidate);
-    bid[i] = key;
-    if (key != kNoBid) {
+    key[i] = operation.key(mesh, candidate);
+    if (key[i] != kNoReservation) {
       for (const Bubble b : operation.bubbles(mesh, candidate)) {
         if (!b.is_outside()) {
-          atomic_min(lowest + b.index(), key);
+          atomic_min(lowest + b.index(), key[i]);
         }
       }
     }
   }
 };
 
-/// Takes back the bids that are not the lowest everywhere.
-template <class Operation> struct WithdrawBids {
+/// Takes back the reservations of those that do not hold all of their bubbles.
+template <class Operation> struct Withdraw {
   ConstFoamView mesh;
   Operation operation;
-  std::uint64_t* bid = nullptr;
+  std::uint64_t* key = nullptr; ///< by candidate
   const std::uint64_t* lowest = nullptr;
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    std::uint64_t& key = bid[i];
-    if (key != kNoBid) {
+    std::uint64_t& own = key[i];
+    if (own != kNoReservation) {
       bool holds_all = true;
       for (const Bubble b : operation.bubbles(mesh, operation.candidates(mesh)[i])) {
-        holds_all = holds_all && (b.is_outside() || lowest[b.index()] == key);
+        holds_all = holds_all && (b.is_outside() || lowest[b.index()] == own);
       }
-      key = holds_all ? key : kNoBid;
+      own = holds_all ? own : kNoReservation;
     }
   }
 };
 
-template <class Operation> struct PerformBids {
+template <class Operation> struct Commit {
   FoamView mesh;
   Operation operation;
-  const std::uint64_t* bid = nullptr;
+  const std::uint64_t* key = nullptr; ///< by candidate
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
-    if (bid[i] != kNoBid) {
+    if (key[i] != kNoReservation) {
       FoamView changed = mesh;
       operation.perform(changed, operation.candidates(mesh)[i]);
     }
   }
 };
 
-template <class Operation> struct CountBid {
+template <class Operation> struct CountReserved {
   ConstFoamView mesh;
   Operation operation;
-  const std::uint64_t* bid = nullptr;
+  const std::uint64_t* key = nullptr; ///< by candidate
 
   FOAM_HOST_DEVICE auto operator()(Index i) const {
     const auto candidate = operation.candidates(mesh)[i];
     using Count = decltype(operation.count(mesh, candidate));
-    return bid[i] == kNoBid ? Count{} : operation.count(mesh, candidate);
+    return key[i] == kNoReservation ? Count{} : operation.count(mesh, candidate);
   }
 };
 
 } // namespace detail
 
-/// The schedule, on a machine (parallel/host.h).
-template <class Machine> class Bidding {
+/// The schedule, on an executor (parallel/host.h).
+template <class Executor> class Reservations {
 public:
-  explicit Bidding(Machine& machine) : machine_(machine) {}
+  explicit Reservations(Executor& executor) : executor_(executor) {}
 
-  /// One round: those who hold all that they bid for go ahead. At least the lowest bid of all does.
-  /// \returns the sum of operation.count(mesh, c) over them, taken before they change the mesh.
+  /// One round: those who hold all that they have reserved go ahead. At least the first of all
+  /// does. \returns the sum of operation.count(mesh, c) over them, taken before they change the
+  /// mesh.
   template <class Operation> auto round(const FoamView& mesh, const Operation& operation) {
     const ConstFoamView seen = const_view(mesh);
     const Index candidates = operation.candidates(seen).size();
-    bid_.resize(place_of(candidates));
+    key_.resize(place_of(candidates));
     lowest_.resize(place_of(mesh.bubbles));
-    machine_.for_each(mesh.bubbles, parallel::Fill<std::uint64_t>{lowest_.data(), kNoBid});
-    machine_.for_each(candidates,
-                      detail::PlaceBids<Operation>{seen, operation, bid_.data(), lowest_.data()});
-    machine_.for_each(
-        candidates, detail::WithdrawBids<Operation>{seen, operation, bid_.data(), lowest_.data()});
-    const detail::CountBid<Operation> count{seen, operation, bid_.data()};
+    executor_.for_each(mesh.bubbles, parallel::Fill<std::uint64_t>{lowest_.data(), kNoReservation});
+    executor_.for_each(candidates,
+                       detail::Reserve<Operation>{seen, operation, key_.data(), lowest_.data()});
+    executor_.for_each(candidates,
+                       detail::Withdraw<Operation>{seen, operation, key_.data(), lowest_.data()});
+    const detail::CountReserved<Operation> count{seen, operation, key_.data()};
     using Count = decltype(count(0));
-    const Count performed = machine_.reduce(candidates, Count{}, count, parallel::Add{});
-    machine_.for_each(candidates, detail::PerformBids<Operation>{mesh, operation, bid_.data()});
+    const Count performed = executor_.reduce(candidates, Count{}, count, parallel::Add{});
+    executor_.for_each(candidates, detail::Commit<Operation>{mesh, operation, key_.data()});
     return performed;
   }
 
@@ -150,14 +153,14 @@ public:
   }
 
 private:
-  Machine& machine_;
-  typename Machine::template Array<std::uint64_t> bid_;
-  typename Machine::template Array<std::uint64_t> lowest_;
+  Executor& executor_;
+  typename Executor::template Array<std::uint64_t> key_;
+  typename Executor::template Array<std::uint64_t> lowest_;
 };
 
 /// A key that comes before another if its rank is lower, else its size (≥ 0; to single precision),
 /// else its id.
-FOAM_HOST_DEVICE inline std::uint64_t bid_key(bool second_rank, double size, Index id) {
+FOAM_HOST_DEVICE inline std::uint64_t reservation_key(bool second_rank, double size, Index id) {
   // The bits of floats that are not negative are ordered as the floats are.
   const auto rounded = static_cast<float>(size);
   std::uint32_t bits = 0;

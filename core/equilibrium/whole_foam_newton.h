@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Newton's method for a whole foam on a machine (parallel/host.h), every step of it in parallel.
+// Newton's method for a whole foam on an executor (parallel/host.h), every step of it in parallel.
 #pragma once
 
 #include <cmath>
@@ -30,35 +30,35 @@ inline void note(Foam& foam, const NewtonResult& result) {
 }
 
 /// √(mean target area) of a mesh's bubbles, cm (Foam::mean_spacing).
-template <class Machine> double mean_spacing(Machine& machine, const ConstFoamView& mesh) {
-  const double total = machine.reduce(
+template <class Executor> double mean_spacing(Executor& executor, const ConstFoamView& mesh) {
+  const double total = executor.reduce(
       mesh.bubble_slots(), 0.0,
       FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? mesh.target_area[b] : 0.0; },
       parallel::Add{});
-  const Index count = machine.reduce(
+  const Index count = executor.reduce(
       mesh.bubble_slots(), Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
       parallel::Add{});
   return std::sqrt(total / std::max(count, Index{1}));
 }
 
-template <class Machine> class MachineNewton {
+template <class Executor> class WholeFoamNewton {
 public:
   /// \param direct see KrylovSolver.
-  MachineNewton(Machine& machine, const EquilibratorOptions& options,
-                std::unique_ptr<DirectSolver> direct = nullptr)
-      : machine_(machine), options_(options), newton_(machine), solver_(machine, std::move(direct)),
-        swaps_(machine) {}
+  WholeFoamNewton(Executor& executor, const EquilibratorOptions& options,
+                  std::unique_ptr<DirectSolver> direct = nullptr)
+      : executor_(executor), options_(options), newton_(executor),
+        solver_(executor, std::move(direct)), swaps_(executor) {}
 
   /// Brings a mesh to equilibrium, swapping films shorter than t1_length (cm) that are pulled shut.
   /// Where it throws Aborted the mesh is somewhere in between.
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
-    Problem problem(machine_, mesh, swaps_, t1_length);
+    Problem problem(executor_, mesh, swaps_, t1_length);
     NewtonResult result;
     const int before = solver_.iterations();
     const Outcome outcome =
         newton_.relax(problem, solver_, options_.tolerance, result.report.iterations,
                       options_.maximum_iterations, aborted);
-    const EquilibriumMeasures measures = measure_equilibrium(machine_, const_view(mesh));
+    const EquilibriumMeasures measures = measure_equilibrium(executor_, const_view(mesh));
     result.report.converged = outcome.converged;
     result.report.max_angle_error = measures.angle_error;
     result.report.max_area_error = measures.area_error;
@@ -71,7 +71,7 @@ public:
   /// Whether a mesh is so far from equilibrium that some film is in the way of Newton's first step:
   /// relax_compressible() then brings it nearer.
   bool is_far(const FoamView& mesh) {
-    Problem problem(machine_, mesh, swaps_, 0);
+    Problem problem(executor_, mesh, swaps_, 0);
     return newton_.is_far(problem, solver_);
   }
 
@@ -79,9 +79,10 @@ private:
   /// All of a mesh (equilibrium/newton.h).
   class Problem {
   public:
-    Problem(Machine& machine, const FoamView& mesh, SwapsAtOnce<Machine>& swaps, double t1_length)
+    Problem(Executor& executor, const FoamView& mesh, SwapsAtOnce<Executor>& swaps,
+            double t1_length)
         : mesh_(mesh),
-          domain_(whole_mesh(const_view(mesh), mean_spacing(machine, const_view(mesh)))),
+          domain_(whole_mesh(const_view(mesh), mean_spacing(executor, const_view(mesh)))),
           swaps_(swaps), t1_length_(t1_length) {
       swaps_.begin(mesh_);
     }
@@ -101,16 +102,16 @@ private:
   private:
     FoamView mesh_;
     Domain domain_;
-    SwapsAtOnce<Machine>& swaps_;
+    SwapsAtOnce<Executor>& swaps_;
     double t1_length_;
     std::int64_t swapped_ = 0;
   };
 
-  Machine& machine_;
+  Executor& executor_;
   EquilibratorOptions options_;
-  Newton<Machine> newton_;
-  KrylovSolver<Machine> solver_;
-  SwapsAtOnce<Machine> swaps_;
+  Newton<Executor> newton_;
+  KrylovSolver<Executor> solver_;
+  SwapsAtOnce<Executor> swaps_;
 };
 
 } // namespace foam::newton

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A foam seen from afar: an elastic continuum in bilinear finite elements on a regular grid, for
-// the corrections on a large scale (equilibrium/foam_preconditioner.h). Each grid is coarsened to
-// one with half as many cells along x and y, whose elements are exactly what the finer ones give
-// (Galerkin), as the spaces are nested: all that is kept is the cells' matrices.
+// the corrections on a large scale (the preconditioner of Newton's equations). Each grid is
+// coarsened to one with half as many cells along x and y, whose elements are exactly what the finer
+// ones give (Galerkin), as the spaces are nested: all that is kept is the cells' matrices.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "equilibrium/matrix_free.h"
+#include "algebra/displacements.h"
 
-namespace foam::newton {
+namespace foam::multigrid {
 
 /// A symmetric 2 × 2 matrix.
 struct Symmetric2 {
@@ -218,10 +218,10 @@ FOAM_HOST_DEVICE inline std::array<double, 4> coarse_entry(const Grid& fine, con
 
 /// The elements of the grid that is coarser by one; one index for every pair of an element's
 /// corners.
-template <class Machine>
-void coarsen_elements(Machine& machine, const Grid& fine, const Grid& coarse, const Element* from,
+template <class Executor>
+void coarsen_elements(Executor& executor, const Grid& fine, const Grid& coarse, const Element* from,
                       Element* to) {
-  machine.for_each(
+  executor.for_each(
       16 * coarse.cells(), FOAM_KERNEL(Index i) {
         const int row = (i / 4) % 4;
         const int column = i % 4;
@@ -257,10 +257,10 @@ FOAM_HOST_DEVICE inline Vec2 interpolate(const Grid& grid, const double* x,
 }
 
 /// x ← x + what the coarser grid has there.
-template <class Machine>
-void prolongate(Machine& machine, const Grid& fine, const Grid& coarse, const double* from,
+template <class Executor>
+void prolongate(Executor& executor, const Grid& fine, const Grid& coarse, const double* from,
                 double* x) {
-  machine.for_each(
+  executor.for_each(
       fine.nodes(), FOAM_KERNEL(Index node) {
         const Vec2 v = interpolate(coarse, from, place_of_node(fine, coarse, node));
         set_displacement(x, node, displacement(x, node) + v);
@@ -291,12 +291,12 @@ FOAM_HOST_DEVICE inline Vec2 gathered(const Grid& fine, const Grid& coarse, cons
   return sum;
 }
 
-template <class Machine>
-void restrict_to(Machine& machine, const Grid& coarse, const Grid& fine, const double* from,
+template <class Executor>
+void restrict_to(Executor& executor, const Grid& coarse, const Grid& fine, const double* from,
                  double* to) {
-  machine.for_each(
+  executor.for_each(
       coarse.nodes(),
       FOAM_KERNEL(Index node) { set_displacement(to, node, gathered(fine, coarse, from, node)); });
 }
 
-} // namespace foam::newton
+} // namespace foam::multigrid

@@ -19,7 +19,7 @@ namespace foam {
 /// solve: with the present matrix in a patch around those films, all else held (multiplicative
 /// Schwarz: B. F. Smith, P. E. Bjørstad, W. D. Gropp, Domain Decomposition, 1996, ch. 1). What is
 /// left is small and smooth, so that an iteration with it contracts.
-class Factorisation {
+class ReusedFactorisation {
 public:
   /// Symbolic factorisation.
   void analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
@@ -65,8 +65,8 @@ private:
   Surroundings surroundings_;
   Unknowns unknowns_;
   Field<Film, FilmState> films_;
-  std::uint64_t topology_ = 0;     ///< that unknowns_ or translation_ is for
-  std::vector<Index> translation_; ///< to unknowns_; empty while the topology is the same
+  std::uint64_t topology_ = 0;     ///< that unknowns_ or renumbering_ is for
+  std::vector<Index> renumbering_; ///< to unknowns_; empty while the topology is the same
   std::unique_ptr<Patch> patch_;   ///< nothing while no film has changed
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What bubbles and films bid for in a frame (topology/bidding.h).
+// What is performed many at once in a frame (topology/reservations.h).
 #pragma once
 
 #include <cstdint>
 
-#include "topology/bidding.h"
 #include "topology/local_operations.h"
+#include "topology/reservations.h"
 #include "topology/two_sided.h"
 
 namespace foam {
@@ -50,7 +50,7 @@ template <class Mesh> FOAM_HOST_DEVICE Touched around_two_sided(const Mesh& mesh
 /// (4.3), a film that has been swapped is swapped again only if a bubble beside it has vanished
 /// since, so that there is an end. \tparam Rules as ThesisRules
 /// (thesis/rules.h)
-template <class Rules> struct CollapseBids {
+template <class Rules> struct CollapseOperations {
   Rules rules;
   FieldView<Film, std::uint8_t> swappable; ///< of a film: not swapped yet; all 1 in the beginning
 
@@ -106,14 +106,15 @@ private:
                            (can_perform_t2(mesh, bubble) ||
                             (can_perform_t3(mesh, bubble) && !rules.slides(mesh, bubble))) &&
                            rules.vanishes(mesh, bubble);
-    return gives_way
-               ? bid_key(false, std::max(Rules::bubble_size(mesh, bubble), 0.0), bubble.index())
-               : kNoBid;
+    return gives_way ? reservation_key(false, std::max(Rules::bubble_size(mesh, bubble), 0.0),
+                                       bubble.index())
+                     : kNoReservation;
   }
   template <class Mesh> FOAM_HOST_DEVICE std::uint64_t key_of(const Mesh& mesh, Film film) const {
     const bool gives_way = mesh.has_film(film) && swappable[film] && rules.shrunk(mesh, film) &&
                            can_perform_t1(mesh, film);
-    return gives_way ? bid_key(true, Rules::film_size(mesh, film), film.index()) : kNoBid;
+    return gives_way ? reservation_key(true, Rules::film_size(mesh, film), film.index())
+                     : kNoReservation;
   }
 
   FOAM_HOST_DEVICE void remove(FoamView& mesh, Bubble bubble) const {
@@ -130,7 +131,7 @@ private:
 };
 
 /// Sliding of two-sided bubbles, in the order of their numbers.
-struct SlideBids {
+struct SlideOperations {
   TwoSidedRule rule;
   FieldView<Bubble, std::uint8_t> waiting; ///< of a bubble: not slid yet; all 1 in the beginning
 
@@ -140,7 +141,7 @@ struct SlideBids {
   template <class Mesh> FOAM_HOST_DEVICE std::uint64_t key(const Mesh& mesh, Bubble bubble) const {
     const bool slides = mesh.has_bubble(bubble) && mesh.sides[bubble] == 2 && waiting[bubble] &&
                         rule.slides(mesh, bubble);
-    return slides ? bid_key(false, 0, bubble.index()) : kNoBid;
+    return slides ? reservation_key(false, 0, bubble.index()) : kNoReservation;
   }
   template <class Mesh> FOAM_HOST_DEVICE static Touched bubbles(const Mesh& mesh, Bubble bubble) {
     return detail::around_two_sided(mesh, bubble);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "geometry/vec2.h"
+#include "mesh/ids.h"
+
+namespace foam {
+
+// Displacements in a vector, x and y of each place in turn.
+FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Index place) {
+  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
+  return {vector[x], vector[x + 1]};
+}
+
+FOAM_HOST_DEVICE inline void set_displacement(double* vector, Index place, Vec2 value) {
+  const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
+  vector[x] = value.x;
+  vector[x + 1] = value.y;
+}
+
+} // namespace foam

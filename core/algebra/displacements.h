@@ -8,7 +8,7 @@
 
 namespace foam {
 
-// Displacements in a vector, x and y of each place in turn.
+// Displacements in a vector, x and y of each place, or of each junction, in turn.
 FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Index place) {
   const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
   return {vector[x], vector[x + 1]};
@@ -18,6 +18,14 @@ FOAM_HOST_DEVICE inline void set_displacement(double* vector, Index place, Vec2 
   const std::ptrdiff_t x = 2 * std::ptrdiff_t{place};
   vector[x] = value.x;
   vector[x + 1] = value.y;
+}
+
+FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Junction junction) {
+  return displacement(vector, junction.index());
+}
+
+FOAM_HOST_DEVICE inline void set_displacement(double* vector, Junction junction, Vec2 value) {
+  set_displacement(vector, junction.index(), value);
 }
 
 } // namespace foam

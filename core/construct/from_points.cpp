@@ -224,8 +224,7 @@ Field<Bubble, double> target_areas(const Foam& foam, const BuildOptions& options
     }
   }
   const double total = std::accumulate(initial.begin(), initial.end(), 0.0);
-  const Field<Bubble, double> given(options.target_area_array.begin(),
-                                    options.target_area_array.end());
+  Field<Bubble, double> given(options.target_area_array.begin(), options.target_area_array.end());
   switch (options.target_areas) {
   case TargetAreas::Initial:
     return initial;

@@ -51,6 +51,7 @@ public:
     gather_load(executor_, foam, units, state.areas(),
                 FieldView<Film, const FilmGradient>(gradient_.data()), right_.data());
     remove_common_pressure(executor_, foam, domain.bubbles, pressures_of(foam, right_.data()));
+    remove_rigid_motion(executor_, foam, domain, right_.data());
     if (!direct_ || !solve_directly(matrix)) {
       solve_iteratively(matrix, units, std::clamp(residual.largest(), kFinest, kRoughest));
     }

@@ -17,13 +17,6 @@
 
 namespace foam::newton {
 
-FOAM_HOST_DEVICE inline Vec2 displacement(const double* vector, Junction junction) {
-  return foam::displacement(vector, junction.index());
-}
-FOAM_HOST_DEVICE inline void set_displacement(double* vector, Junction junction, Vec2 value) {
-  foam::set_displacement(vector, junction.index(), value);
-}
-
 /// Length of a vector.
 inline Index size_of(const ConstFoamView& mesh) {
   return 2 * mesh.junctions + mesh.bubbles;

@@ -5,6 +5,7 @@
 // for rotations. On an executor (parallel/host.h).
 #pragma once
 
+#include "algebra/displacements.h"
 #include "equilibrium/domain.h"
 #include "parallel/kernels.h"
 
@@ -50,7 +51,7 @@ struct RigidMeans {
 /// turn: rounding decides how much of them there is.
 template <class Executor>
 void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
-                         double* displacement) {
+                         double* moved) {
   if (!domain.whole || !mesh.surroundings.translates()) {
     return;
   }
@@ -64,8 +65,8 @@ void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Do
       size, RigidMeans{},
       FOAM_KERNEL(Index i) {
         const Junction j = junctions[i];
-        const Vec2 moved{displacement[2 * i], displacement[2 * i + 1]};
-        return mesh.moves(j) ? RigidMeans{share * moved, share * mesh.position[j]} : RigidMeans{};
+        return mesh.moves(j) ? RigidMeans{share * displacement(moved, i), share * mesh.position[j]}
+                             : RigidMeans{};
       },
       parallel::Add{});
   double rotation = 0;
@@ -75,9 +76,8 @@ void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Do
         size, Vec2{},
         FOAM_KERNEL(Index i) {
           const Junction j = junctions[i];
-          const Vec2 moved{displacement[2 * i], displacement[2 * i + 1]};
           const Vec2 r = mesh.position[j] - means.centre;
-          return mesh.moves(j) ? Vec2{cross(r, moved), dot(r, r)} : Vec2{};
+          return mesh.moves(j) ? Vec2{cross(r, displacement(moved, i)), dot(r, r)} : Vec2{};
         },
         parallel::Add{});
     rotation = moment.x / moment.y;
@@ -88,8 +88,7 @@ void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Do
         if (mesh.moves(j)) {
           const Vec2 r = mesh.position[j] - means.centre;
           const Vec2 rigid = means.translation + rotation * left_normal(r);
-          displacement[2 * i] -= rigid.x;
-          displacement[2 * i + 1] -= rigid.y;
+          set_displacement(moved, i, displacement(moved, i) - rigid);
         }
       });
 }

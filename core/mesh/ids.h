@@ -20,6 +20,7 @@ FOAM_HOST_DEVICE constexpr std::size_t place_of(Index index) {
 
 /// No element, of whatever kind.
 struct None {
+  // NOLINTNEXTLINE(google-explicit-constructor): it stands for any kind's
   FOAM_HOST_DEVICE constexpr operator Index() const { return -1; }
 };
 inline constexpr None kNone;
@@ -28,6 +29,7 @@ inline constexpr None kNone;
 template <class Kind> class Id {
 public:
   Id() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): kNone is one of each kind
   FOAM_HOST_DEVICE constexpr Id(None /*none*/) {}
   FOAM_HOST_DEVICE constexpr explicit Id(Index index) : index_(index) {}
 

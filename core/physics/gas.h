@@ -90,16 +90,16 @@ AreaRate area_rate(const ConstFoamView& mesh, double kappa);
 struct BubbleSums {
   double target_area = 0; ///< cm²
   double rate = 0;        ///< dA^τ/dt, cm²/s
-  double even_out = 0;    ///< how many share what the total is off
+  double sharing = 0;     ///< bubbles that share what the total is off
   Index bubbles = 0;
 
   double mean_area() const { return target_area / bubbles; }
-  /// Of the rate of each bubble that evens out, cm²/s: rounding, and what the equilibrium's
+  /// Of the rate of each bubble that takes a share, cm²/s: rounding, and what the equilibrium's
   /// tolerance leaves.
-  double excess() const { return even_out > 0 ? rate / even_out : 0; }
+  double excess() const { return sharing > 0 ? rate / sharing : 0; }
 
   friend FOAM_HOST_DEVICE BubbleSums operator+(const BubbleSums& a, const BubbleSums& b) {
-    return {a.target_area + b.target_area, a.rate + b.rate, a.even_out + b.even_out,
+    return {a.target_area + b.target_area, a.rate + b.rate, a.sharing + b.sharing,
             a.bubbles + b.bubbles};
   }
 };

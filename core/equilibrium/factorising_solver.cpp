@@ -258,7 +258,7 @@ const StepView* FactorisingSolver::respond(const Foam& foam, const Field<Bubble,
   }
   for (std::size_t i = 0; i < region_.films.size(); ++i) {
     const FilmMatrix& share = matrix_.shares()[i];
-    const std::array<double, 7> rates = expected.of_film(foam, region_.films[i]);
+    const FilmLagrangian::Each<double> rates = expected.of_film(foam, region_.films[i]);
     subtract_product(share, rates, rest);
     for (std::size_t k = 0; k < rates.size(); ++k) {
       if (share.unknown[k] != kNone) {

@@ -87,7 +87,7 @@ std::vector<Place> places_of(const Foam& foam, const Region& region, const Unkno
       places[place_of(unknown)] = place;
     }
   };
-  std::vector<std::array<Index, 7>> films;
+  std::vector<FilmLagrangian::Each<Index>> films;
   for (const Film f : region.films) {
     const auto& [a, a_y, b, b_y, left, right, angle] =
         films.emplace_back(unknowns.of_film(foam, f));
@@ -109,7 +109,7 @@ std::vector<Place> places_of(const Foam& foam, const Region& region, const Unkno
       raise(left, both);
     }
   }
-  for (const std::array<Index, 7>& film : films) {
+  for (const FilmLagrangian::Each<Index>& film : films) {
     Place place = kNowhere;
     for (const Index u : std::span(film).first(6)) {
       place = upper(place, at(places, u));

@@ -76,9 +76,10 @@ bool NewtonMatrix::assemble_film(const Foam& foam, const Region& region, std::si
     }
     eliminate_angle(film);
   }
-  for_each_lower<7>([&](std::size_t row, std::size_t column, std::size_t k) {
-    films_[place].value[k] = film.hessian[row][column];
-  });
+  for_each_lower<FilmLagrangian::kVariables>(
+      [&](std::size_t row, std::size_t column, std::size_t k) {
+        films_[place].value[k] = film.hessian[row][column];
+      });
   return true;
 }
 
@@ -104,7 +105,7 @@ void NewtonMatrix::condense(std::span<const double> angle_gradient, std::span<do
 
 double NewtonMatrix::angle_change(std::size_t place, double angle_gradient,
                                   std::span<const double> x,
-                                  const std::array<double, 7>& held) const {
+                                  const FilmLagrangian::Each<double>& held) const {
   const FilmMatrix& film = films_[place];
   if (film.unknown[kAngle] != kNone) {
     return x[place_of(film.unknown[kAngle])];
@@ -127,7 +128,7 @@ void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double>
 }
 
 void NewtonMatrix::subtract_product(std::span<const double> x,
-                                    std::span<const std::array<Index, 7>> columns,
+                                    std::span<const FilmLagrangian::Each<Index>> columns,
                                     std::span<const Index> rows, std::span<double> from) const {
   for (std::size_t u = 0; u < from.size(); ++u) {
     from[u] -= regularisation(u) * x[place_of(rows[u])];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -12,7 +11,7 @@
 namespace foam {
 
 /// What a film adds to the matrix of Newton's equations, in the order of FilmLagrangian.
-using FilmMatrix = ElementMatrix<7>;
+using FilmMatrix = ElementMatrix<FilmLagrangian::kVariables>;
 
 /// The matrix of Newton's equations in a region: the second derivatives of the Lagrangian,
 /// symmetric and indefinite, as the sum of its films' shares.
@@ -38,7 +37,9 @@ public:
   std::vector<std::size_t> assemble(const Foam& foam, const Region& region, double shift);
 
   const Unknowns& unknowns() const { return unknowns_; }
-  std::array<Index, 7> film_unknowns(std::size_t place) const { return films_[place].unknown; }
+  FilmLagrangian::Each<Index> film_unknowns(std::size_t place) const {
+    return films_[place].unknown;
+  }
   bool keeps_angle(std::size_t place) const {
     return films_[place].unknown[FilmLagrangian::kAngle] != kNone;
   }
@@ -49,12 +50,13 @@ public:
   /// An angle's change that belongs to the unknowns' change x. \param held by how much the film's
   /// variables that are held change
   double angle_change(std::size_t place, double angle_gradient, std::span<const double> x,
-                      const std::array<double, 7>& held) const;
+                      const FilmLagrangian::Each<double>& held) const;
 
   /// from −= K·x.
   void subtract_product(std::span<const double> x, std::span<double> from) const;
   /// The same where x is numbered otherwise: by `columns`, for each film in its place, and `rows`.
-  void subtract_product(std::span<const double> x, std::span<const std::array<Index, 7>> columns,
+  void subtract_product(std::span<const double> x,
+                        std::span<const FilmLagrangian::Each<Index>> columns,
                         std::span<const Index> rows, std::span<double> from) const;
 
   /// By place in region.films; of an eliminated α the last row is what it was before.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "mesh/foam.h"
+#include "physics/film_lagrangian.h"
 
 namespace foam {
 
@@ -15,7 +15,7 @@ struct Rates {
   std::span<const double> pressures; ///< of bubbles, N/(cm² s)
 
   /// Of the variables of a film, in the order of FilmLagrangian.
-  std::array<double, 7> of_film(const Foam& foam, Film film) const {
+  FilmLagrangian::Each<double> of_film(const Foam& foam, Film film) const {
     if (junctions.empty()) {
       return {};
     }

@@ -51,8 +51,8 @@ private:
     std::vector<Bubble> bubbles; ///< at those films
     NewtonMatrix matrix;
     MultifrontalSolver solver;
-    std::vector<Index> rows;                   ///< its unknowns' numbers in the whole matrix
-    std::vector<std::array<Index, 7>> columns; ///< its films' unknowns' numbers there
+    std::vector<Index> rows;                          ///< its unknowns' numbers in the whole matrix
+    std::vector<FilmLagrangian::Each<Index>> columns; ///< its films' unknowns' numbers there
   };
   static FilmState state_of(const Foam& foam, Film film);
   bool changed(const Foam& foam, Film film) const;

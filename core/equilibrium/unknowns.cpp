@@ -37,7 +37,7 @@ void Unknowns::number(const Foam& foam, const Region& region, std::span<const ch
   }
 }
 
-std::array<Index, 7> Unknowns::of_film(const Foam& foam, Film film) const {
+FilmLagrangian::Each<Index> Unknowns::of_film(const Foam& foam, Film film) const {
   const Half h = film.half();
   const Index a = junction(foam.start(h));
   const Index b = junction(foam.end(h));

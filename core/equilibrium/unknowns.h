@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "equilibrium/domain.h"
 #include "mesh/foam.h"
+#include "physics/film_lagrangian.h"
 
 namespace foam {
 
@@ -28,7 +28,7 @@ public:
   Index bubble(Bubble bubble) const { return bubble.is_outside() ? kNone : bubbles_.at(bubble); }
   Index angle(Film film) const { return angles_.at(film); }
   /// In the order of FilmLagrangian.
-  std::array<Index, 7> of_film(const Foam& foam, Film film) const;
+  FilmLagrangian::Each<Index> of_film(const Foam& foam, Film film) const;
 
 private:
   /// Of some elements among many.

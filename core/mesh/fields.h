@@ -33,7 +33,10 @@ public:
   FieldView() = default;
   FOAM_HOST_DEVICE explicit FieldView(T* values) : values_(values) {}
 
-  FOAM_HOST_DEVICE T& operator[](Element e) const { return values_[e.index()]; }
+  FOAM_HOST_DEVICE T& operator[](Element e) const {
+    // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.UndefReturn): what is empty has no element
+    return values_[e.index()];
+  }
   FOAM_HOST_DEVICE T* data() const { return values_; }
   FOAM_HOST_DEVICE bool empty() const { return values_ == nullptr; }
 

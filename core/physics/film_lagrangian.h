@@ -22,9 +22,13 @@ namespace foam {
 /// order. The pressures' part of the gradient is left to the bubbles, whose areas are summed as
 /// loops.
 struct FilmLagrangian {
+  static constexpr std::size_t kVariables = 7;
   static constexpr std::size_t kAngle = 6;
-  std::array<double, 7> gradient{};
-  std::array<std::array<double, 7>, 7> hessian{}; ///< symmetric, both triangles filled
+  /// One figure for each.
+  template <class T> using Each = std::array<T, kVariables>;
+
+  Each<double> gradient{};
+  Each<Each<double>> hessian{}; ///< symmetric, both triangles filled
 };
 
 /// φ's derivatives by (a_x, a_y, b_x, b_y, α).
@@ -82,14 +86,14 @@ FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha,
   r.hessian[3] = {-xy - half_q, -yy, xy, yy, 0, 0, phi_d_alpha * u.y};
   r.hessian[6] = {-phi_d_alpha * u.x, -phi_d_alpha * u.y, phi_d_alpha * u.x, phi_d_alpha * u.y,
                   -area_alpha,        area_alpha,         phi_alpha_alpha};
-  const std::array<double, 7> area{-area_d * u.x + polygon.x,
-                                   -area_d * u.y + polygon.y,
-                                   area_d * u.x + polygon.x,
-                                   area_d * u.y + polygon.y,
-                                   0,
-                                   0,
-                                   area_alpha};
-  for (std::size_t i = 0; i < 7; ++i) {
+  const FilmLagrangian::Each<double> area{-area_d * u.x + polygon.x,
+                                          -area_d * u.y + polygon.y,
+                                          area_d * u.x + polygon.x,
+                                          area_d * u.y + polygon.y,
+                                          0,
+                                          0,
+                                          area_alpha};
+  for (std::size_t i = 0; i < FilmLagrangian::kVariables; ++i) {
     r.hessian[4][i] = r.hessian[i][4] = -area[i];
     r.hessian[5][i] = r.hessian[i][5] = area[i];
   }

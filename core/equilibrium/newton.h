@@ -21,9 +21,8 @@
 //                         a step from what is left of an earlier one; null if there is nothing,
 //   find(foam, domain, state, residual)
 //                         Newton's step; null if there is none,
-//   convexify()           makes the next step more of a descent, after one that led nowhere;
-//   whether
-//                         it can, and
+//   convexify()           makes the next step more of a descent, after one that led nowhere:
+//                         whether it can, and
 //   took(fraction)        that so much of a step was taken.
 #pragma once
 

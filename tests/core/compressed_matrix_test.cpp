@@ -156,13 +156,7 @@ struct Found {
 
 Found equilibrate(Boundary boundary, std::unique_ptr<DirectSolver> direct) {
   Foam foam = test::random_foam(60, boundary, 3);
-  for (Index i = 0; i + 1 < foam.bubble_slots().size(); i += 2) {
-    double& first = foam.target_area[Bubble(i)];
-    double& second = foam.target_area[Bubble(i + 1)];
-    const double gas = 0.1 * std::min(first, second);
-    first += gas;
-    second -= gas;
-  }
+  test::exchange_gas(foam);
   EquilibratorOptions options;
   options.tolerance = 1e-11;
   Host host;

@@ -57,6 +57,30 @@ inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1
   return foam;
 }
 
+/// Over the bubbles that there are.
+template <class Of> double sum(const Foam& foam, const Of& of) {
+  double total = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    total += foam.has_bubble(b) ? of(b) : 0;
+  }
+  return total;
+}
+
+inline double gas(const Foam& foam) {
+  return sum(foam, [&](Bubble b) { return foam.target_area[b]; });
+}
+
+/// Every other bubble gets a tenth of what the smaller of it and the next one has.
+inline void exchange_gas(Foam& foam) {
+  for (Index i = 0; i + 1 < foam.bubble_slots().size(); i += 2) {
+    double& first = foam.target_area[Bubble(i)];
+    double& second = foam.target_area[Bubble(i + 1)];
+    const double gas = 0.1 * std::min(first, second);
+    first += gas;
+    second -= gas;
+  }
+}
+
 /// Unit bubbles of line tension 1 around the given points, free, in equilibrium.
 inline Foam unit_cluster(const std::vector<Vec2>& points) {
   BuildOptions options;

@@ -303,22 +303,11 @@ TEST(Krylov, FindsTheEquilibriumOfThePeriodicFoam) {
   expect_same_equilibrium(here, there);
 }
 
-/// Every other bubble gets a tenth of what the smaller of it and the next one has.
-void exchange_gas(Foam& foam) {
-  for (Index i = 0; i + 1 < foam.bubble_slots().size(); i += 2) {
-    double& first = foam.target_area[Bubble(i)];
-    double& second = foam.target_area[Bubble(i + 1)];
-    const double gas = 0.1 * std::min(first, second);
-    first += gas;
-    second -= gas;
-  }
-}
-
 /// A foam in equilibrium whose bubbles' targets change by a tenth, with every boundary.
 TEST(Krylov, FollowsTheGas) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
     Foam here = test::random_foam(60, boundary, 3);
-    exchange_gas(here);
+    test::exchange_gas(here);
     Foam there = here;
     EXPECT_TRUE(test::KrylovEquilibrator(to(1e-11)).equilibrate(here, 0, {}).converged)
         << static_cast<int>(boundary) << " " << here.report.residual;

@@ -21,17 +21,6 @@ CoarseningOptions frames(double time_step = 1.0 / 30) {
   return options;
 }
 
-template <class Of> double sum(const Foam& foam, const Of& of) {
-  double total = 0;
-  for (const Bubble b : foam.bubble_slots()) {
-    total += foam.has_bubble(b) ? of(b) : 0;
-  }
-  return total;
-}
-
-double gas(const Foam& foam) {
-  return sum(foam, [&](Bubble b) { return foam.target_area[b]; });
-}
 double room(const Foam& foam) {
   return sum(foam, [&](Bubble b) { return foam.area(b); });
 }

@@ -63,18 +63,6 @@ Foam uneven_foam(Boundary boundary, Index bubbles, std::uint64_t seed, double pa
   return foam;
 }
 
-template <class Of> double sum(const Foam& foam, const Of& of) {
-  double total = 0;
-  for (const Bubble b : foam.bubble_slots()) {
-    total += foam.has_bubble(b) ? of(b) : 0;
-  }
-  return total;
-}
-
-double gas(const Foam& foam) {
-  return sum(foam, [&](Bubble b) { return foam.target_area[b]; });
-}
-
 /// By which angle a half-film leaves its start, from where it bulges to: its chord, turned by α
 /// against that.
 double direction(const Foam& foam, Half h) {

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engines/own_units.h"
+
+#include <utility>
+#include <vector>
+
+namespace foam {
+namespace {
+
+CoarseningOptions in_units(CoarseningOptions options, const UnitChange& change) {
+  options.permeability *= change.area() / change.tension;
+  options.thresholds.t1_length *= change.length;
+  options.thresholds.t2_area *= change.area();
+  return options;
+}
+
+void multiply(std::vector<double>& values, double factor) {
+  for (double& value : values) {
+    value *= factor;
+  }
+}
+
+void move(std::vector<Point3>& points, const UnitChange& change) {
+  for (Point3& p : points) {
+    const Vec2 place = change.place({p[0], p[1]});
+    p = {place.x, place.y, p[2]};
+  }
+}
+
+void change_units(std::vector<BubbleStatistics>& bubbles, const UnitChange& change) {
+  for (BubbleStatistics& bubble : bubbles) {
+    bubble.area *= change.area();
+    bubble.target_area *= change.area();
+    bubble.pressure *= change.pressure();
+    bubble.perimeter *= change.length;
+  }
+}
+
+void change_units(FoamStatistics& statistics, const UnitChange& change) {
+  statistics.mean_area *= change.area();
+  statistics.energy *= change.energy();
+  change_units(statistics.each, change);
+}
+
+void change_units(SampledFoam& foam, const UnitChange& change) {
+  foam.record = in_units(foam.record, change);
+  for (Exterior& exterior : foam.exteriors) {
+    exterior = in_units(exterior, change);
+  }
+  foam.energy *= change.energy();
+  move(foam.films.points, change);
+  multiply(foam.films.curvature, 1 / change.length);
+  multiply(foam.films.pressure_difference, change.pressure());
+  multiply(foam.films.length, change.length);
+  multiply(foam.films.tension, change.tension);
+  move(foam.bubbles.points, change);
+  change_units(foam.bubbles.each, change);
+}
+
+/// A foam in other units for as long as this lives.
+class InUnits {
+public:
+  InUnits(Foam& foam, const UnitChange& change) : foam_(foam), back_(change.inverse()) {
+    change_units(foam_, change);
+  }
+  InUnits(const InUnits&) = delete;
+  InUnits& operator=(const InUnits&) = delete;
+  ~InUnits() { change_units(foam_, back_); }
+
+private:
+  Foam& foam_;
+  UnitChange back_;
+};
+
+} // namespace
+
+UnitSteps unit_steps(EquilibratorKind kind) {
+  return kind == EquilibratorKind::Junction ? UnitSteps::Coarse : UnitSteps::Fine;
+}
+
+OwnUnitsEquilibrator::OwnUnitsEquilibrator(std::unique_ptr<Equilibrator> equilibrator,
+                                           UnitSteps steps)
+    : equilibrator_(std::move(equilibrator)), steps_(steps) {}
+
+EquilibriumReport OwnUnitsEquilibrator::equilibrate(Foam& foam, double t1_length,
+                                                    const AbortCheck& aborted) {
+  const UnitChange own = own_units(foam, steps_);
+  const InUnits in_own(foam, own);
+  return equilibrator_->equilibrate(foam, own.length * t1_length, aborted);
+}
+
+OwnUnitsCoarsening::OwnUnitsCoarsening(const CoarseningOptions& options, Make make)
+    : options_(options), make_(std::move(make)) {}
+
+void OwnUnitsCoarsening::restart(Foam foam) {
+  const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
+  if (own != own_) {
+    coarsening_ = make_(in_units(options_, own));
+    own_ = own;
+  }
+  change_units(foam, own);
+  coarsening_->restart(std::move(foam));
+  foam_.reset();
+}
+
+bool OwnUnitsCoarsening::advance(const AbortCheck& aborted) {
+  foam_.reset();
+  return coarsening_->advance(aborted);
+}
+
+const Foam& OwnUnitsCoarsening::foam() const {
+  if (own_->changes_nothing()) {
+    return coarsening_->foam();
+  }
+  if (!foam_) {
+    foam_ = coarsening_->foam();
+    change_units(*foam_, own_->inverse());
+  }
+  return *foam_;
+}
+
+const FoamRecord& OwnUnitsCoarsening::record() const {
+  record_ = in_units(coarsening_->record(), own_->inverse());
+  return record_;
+}
+
+SampledFoam OwnUnitsCoarsening::sample(double chord_error) {
+  SampledFoam sampled = coarsening_->sample(own_->length * chord_error);
+  if (!own_->changes_nothing()) {
+    change_units(sampled, own_->inverse());
+  }
+  return sampled;
+}
+
+FoamStatistics OwnUnitsCoarsening::statistics(bool include_boundary) {
+  FoamStatistics result = coarsening_->statistics(include_boundary);
+  change_units(result, own_->inverse());
+  return result;
+}
+
+} // namespace foam

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Engines that compute every foam in its own units (mesh/units.h), whatever those are in which it
+// comes and goes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "coarsening/coarsening.h"
+#include "equilibrium/equilibrator.h"
+#include "mesh/units.h"
+
+namespace foam {
+
+/// Newton's method has no length of its own. The thesis's has: its constants are absolute numbers,
+/// for bubbles of about 1 cm and γ of about 0.25 N/cm, and stay what they are near those.
+UnitSteps unit_steps(EquilibratorKind kind);
+
+class OwnUnitsEquilibrator final : public Equilibrator {
+public:
+  OwnUnitsEquilibrator(std::unique_ptr<Equilibrator> equilibrator, UnitSteps steps);
+
+  EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override;
+  void forget() override { equilibrator_->forget(); }
+
+private:
+  std::unique_ptr<Equilibrator> equilibrator_;
+  UnitSteps steps_;
+};
+
+/// The units are those of the foam that it begins with, until it begins anew.
+class OwnUnitsCoarsening final : public Coarsening {
+public:
+  using Make = std::function<std::unique_ptr<Coarsening>(const CoarseningOptions&)>;
+
+  OwnUnitsCoarsening(const CoarseningOptions& options, Make make);
+
+  void restart(Foam foam) override;
+  bool advance(const AbortCheck& aborted) override;
+  const Foam& foam() const override;
+  const FoamRecord& record() const override;
+  SampledFoam sample(double chord_error) override;
+  FoamStatistics statistics(bool include_boundary) override;
+
+private:
+  CoarseningOptions options_;
+  Make make_;
+  std::unique_ptr<Coarsening> coarsening_;
+  std::optional<UnitChange> own_; ///< what coarsening_ was made for
+  mutable std::optional<Foam> foam_;
+  mutable FoamRecord record_;
+};
+
+} // namespace foam

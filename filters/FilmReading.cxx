@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include "FoamWriting.h"
 #include "Message.h"
@@ -319,6 +320,16 @@ double read_time(vtkPolyData* films) {
   vtkDataArray* time = films ? films->GetFieldData()->GetArray("TimeValue") : nullptr;
   const double value = time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0) : 0;
   return std::isfinite(value) ? value : 0;
+}
+
+std::string read_end(vtkPolyData* data) {
+  vtkFieldData* field = data->GetFieldData();
+  vtkDataArray* ended = field->GetArray("Ended");
+  if (!ended || ended->GetNumberOfValues() != 1 || ended->GetComponent(0, 0) == 0) {
+    return {};
+  }
+  auto* why = vtkStringArray::SafeDownCast(field->GetAbstractArray("EndReason"));
+  return why && why->GetNumberOfValues() == 1 ? why->GetValue(0) : "it does not say why";
 }
 
 } // namespace foam::filters

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "mesh/film_set.h"
 
 class vtkPolyData;
@@ -23,5 +25,8 @@ Foam checked_foam(const FilmSet& films);
 
 /// The time (s) that films carry; 0 if they carry none.
 double read_time(vtkPolyData* films);
+
+/// Why the run ended whose last frame these films or bubbles are; empty if it did not.
+std::string read_end(vtkPolyData* data);
 
 } // namespace foam::filters

@@ -63,18 +63,13 @@ bool FoamTimeline::is_of(const FilmSet& start, const Settings& settings) const {
 }
 
 void FoamTimeline::go_to(int frame, const AbortCheck& aborted, const Reached& reached) {
-  if (end_ && frame > *end_) {
-    show_end(frame);
-    return;
-  }
-  if (interrupted_ || last_ || frame < frame_ || keyframes_.at_or_before(frame).first > frame_) {
+  frame = end_ ? std::min(frame, *end_) : frame;
+  if (interrupted_ || frame < frame_ || keyframes_.at_or_before(frame).first > frame_) {
     begin_at_keyframe(frame);
   }
   const int first = frame_;
   while (frame_ < frame) {
-    advance(aborted);
-    if (end_ && frame > *end_) {
-      show_end(frame);
+    if (!advance(aborted)) {
       return;
     }
     reached(frame_ - first, frame - first);
@@ -83,7 +78,6 @@ void FoamTimeline::go_to(int frame, const AbortCheck& aborted, const Reached& re
 
 void FoamTimeline::begin_at(int frame, const FilmSet& films) {
   coarsening_->restart(foam_of(films));
-  last_.reset();
   interrupted_ = false;
   frame_ = frame;
 }
@@ -93,13 +87,13 @@ void FoamTimeline::begin_at_keyframe(int frame) {
   begin_at(keyframe, films);
 }
 
-void FoamTimeline::advance(const AbortCheck& aborted) {
+bool FoamTimeline::advance(const AbortCheck& aborted) {
   interrupted_ = true;
   if (!coarsening_->advance(aborted)) {
     end_ = frame_;
-    end_films_ = film_set(coarsening_->foam());
+    why_ = coarsening_->record().ended;
     interrupted_ = false;
-    return;
+    return false;
   }
   const int next = frame_ + 1;
   if (next % settings_.keyframe_interval == 0) {
@@ -109,13 +103,19 @@ void FoamTimeline::advance(const AbortCheck& aborted) {
   }
   frame_ = next;
   interrupted_ = false;
+  return true;
 }
 
-void FoamTimeline::show_end(int frame) {
-  const auto times = frame_times(end_films_.time, settings_.coarsening.time_step, frame - *end_);
-  last_ = foam_of(end_films_);
-  last_->time = times.back();
-  frame_ = frame;
+FoamRecord FoamTimeline::record() const {
+  FoamRecord record = coarsening_->record();
+  record.ended = frame_ == end_ ? why_ : std::nullopt;
+  return record;
+}
+
+SampledFoam FoamTimeline::sample(double chord_error) const {
+  SampledFoam sampled = coarsening_->sample(chord_error);
+  sampled.record = record();
+  return sampled;
 }
 
 std::vector<double> frame_times(double start, double time_step, int count) {

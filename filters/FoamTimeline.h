@@ -57,7 +57,7 @@ public:
 
   void limit_memory(std::size_t bytes) { keyframes_.set_limit(bytes); }
 
-  /// Makes a frame the current one.
+  /// Makes a frame the current one, or the last one, if the foam ends before.
   /// \throws Aborted; the current frame is then the last that was complete.
   void go_to(int frame, const AbortCheck& aborted, const Reached& reached);
 
@@ -65,22 +65,17 @@ public:
   double start_time() const { return start_.time; }
   int frame() const { return frame_; }
   /// What is known about the foam of the current frame as a whole.
-  const FoamRecord& record() const { return last_ ? *last_ : coarsening_->record(); }
+  FoamRecord record() const;
   /// The foam of the current frame as it is shown (sampling/sampled_foam.h).
-  SampledFoam sample(double chord_error) const {
-    return last_ ? foam::sample(*last_, chord_error) : coarsening_->sample(chord_error);
-  }
-  /// The last frame that could be computed, once it is known: a bubble would vanish after it that
-  /// cannot, as one of the last two. Later frames show its foam.
+  SampledFoam sample(double chord_error) const;
+  /// The last frame, once it is known that the foam cannot go on from it. Its record says why.
   std::optional<int> end() const { return end_; }
-  /// Its time, s.
-  double end_time() const { return end_films_.time; }
 
 private:
   void begin_at(int frame, const FilmSet& films);
   void begin_at_keyframe(int frame);
-  void advance(const AbortCheck& aborted);
-  void show_end(int frame);
+  /// \returns false if the foam cannot go on.
+  bool advance(const AbortCheck& aborted);
 
   FilmSet start_;
   Settings settings_;
@@ -89,8 +84,7 @@ private:
   int frame_ = 0;
   bool interrupted_ = false; ///< what the coarsening keeps between frames may not be as it was
   std::optional<int> end_;
-  FilmSet end_films_;
-  std::optional<Foam> last_; ///< shown at frames after the end
+  std::optional<End> why_; ///< the foam cannot go on from there
 };
 
 /// The times (s) of frames 0 … count, each the sum of the one before and Δt, as a run that is

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -16,8 +17,10 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include "Columns.h"
+#include "coarsening/end.h"
 
 namespace foam::filters {
 namespace {
@@ -59,6 +62,13 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::int64_t>& offsets,
   return cells;
 }
 
+void add_text(vtkFieldData* data, const char* name, const std::string& text) {
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  data->AddArray(array);
+}
+
 void add_numbers(vtkFieldData* data, const char* name, const std::array<double, 4>& values) {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -87,6 +97,14 @@ void write_outsides(const std::vector<Exterior>& exteriors, vtkFieldData* data) 
   }
 }
 
+/// Of the last frame of a run that could not go on.
+void write_end(const FoamRecord& record, vtkFieldData* data) {
+  if (record.ended) {
+    add_value<vtkIntArray>(data, "Ended", 1);
+    add_text(data, "EndReason", reason(*record.ended));
+  }
+}
+
 void write_state(const SampledFoam& foam, vtkFieldData* data) {
   const std::vector<BubbleStatistics>& bubbles = foam.bubbles.each;
   using Bubble = BubbleStatistics;
@@ -110,6 +128,7 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   add_value<vtkIdTypeArray>(data, "T1Count", record.t1_count);
   add_value<vtkIdTypeArray>(data, "T2Count", record.t2_count);
   add_value<vtkIdTypeArray>(data, "T3Count", record.t3_count);
+  write_end(record, data);
   add_value<vtkIntArray>(data, "FormatVersion", kFormatVersion);
 }
 
@@ -144,6 +163,7 @@ void write_bubbles(const SampledFoam& foam, vtkPolyData* bubbles) {
   bubbles->SetPolys(cells_of(polygons.offsets, connectivity));
   add_bubble_columns(bubbles->GetCellData(), polygons.each);
   add_value<vtkDoubleArray>(bubbles->GetFieldData(), "TimeValue", foam.record.time);
+  write_end(foam.record, bubbles->GetFieldData());
 }
 
 } // namespace foam::filters

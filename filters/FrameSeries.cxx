@@ -66,6 +66,10 @@ void FrameSeries::add(double time, std::string_view vtp) {
   frames_ = std::move(frames);
 }
 
+void FrameSeries::replace_last(std::string_view vtp) {
+  write_whole(index_.parent_path() / frames_.back().file, vtp);
+}
+
 std::vector<FrameSeries::Frame> FrameSeries::read(const std::filesystem::path& index) {
   const auto root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(index.c_str()));

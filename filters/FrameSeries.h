@@ -20,6 +20,8 @@ public:
   /// Adds a frame: the content of its .vtp, and its time (s).
   /// \throws std::system_error; the series is then as it was.
   void add(double time, std::string_view vtp);
+  /// Replaces what was added last by the content of another .vtp.
+  void replace_last(std::string_view vtp);
 
 private:
   struct Frame {

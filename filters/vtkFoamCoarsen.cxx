@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "vtkDataObject.h"
@@ -16,6 +17,7 @@
 #include "FoamTimeline.h"
 #include "Message.h"
 #include "PipelineRequest.h"
+#include "coarsening/end.h"
 
 vtkStandardNewMacro(vtkFoamCoarsen);
 
@@ -96,11 +98,17 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   int upstreamPort = 0;
   vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
   upstream->Update(upstreamPort);
-  const double start = foam::filters::read_time(vtkPolyData::GetData(inputs[0]));
+  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
+  const double start = foam::filters::read_time(input);
 
   const double timeStep = this->GetTimeStep();
   const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
-  const auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
+  auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
+  if (this->RunIsOf(this->GetSettings(), input)) {
+    if (const auto end = this->Run->Timeline.end()) { // what comes after it is not offered
+      times.resize(std::min(times.size(), static_cast<std::size_t>(*end) + 1));
+    }
+  }
   double range[2] = {times.front(), times.back()};
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
     vtkInformation* output = outputs->GetInformationObject(port);
@@ -138,9 +146,19 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
   }
 }
 
-void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
-  foam::filters::FoamTimeline::Settings settings = *this->Options;
+bool vtkFoamCoarsen::RunIsOf(const Settings& settings, vtkPolyData* input) const {
+  return this->Run && this->Run->InputTime == input->GetMTime() &&
+         this->Run->Timeline.is_of(settings);
+}
+
+vtkFoamCoarsen::Settings vtkFoamCoarsen::GetSettings() const {
+  Settings settings = *this->Options;
   settings.coarsening.equilibrator = this->GetEquilibratorOptions();
+  return settings;
+}
+
+void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
+  const Settings settings = this->GetSettings();
   if (this->NumberOfFrames < 0) {
     foam::filters::fail("NumberOfFrames must be at least 0, but is ", this->NumberOfFrames);
   }
@@ -149,9 +167,7 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   }
 
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
-  const bool same =
-      this->Run && this->Run->InputTime == input->GetMTime() && this->Run->Timeline.is_of(settings);
-  if (!same) {
+  if (!this->RunIsOf(settings, input)) {
     auto films = foam::filters::read_films(input);
     const double timeStep = settings.coarsening.time_step;
     if (timeStep > 0 && !TimeCanPass(films.time, timeStep)) {
@@ -163,6 +179,10 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
       foam::filters::checked_foam(films);
       this->Run = std::make_unique<Simulation>(std::move(films), settings);
       this->WarnIfNotConverged();
+      if (const std::string end = foam::filters::read_end(input); !end.empty()) {
+        vtkWarningMacro("The input is the last foam of a run that ended: "
+                        << end << ". It is tried again from there.");
+      }
     }
     this->Run->InputTime = input->GetMTime();
   }
@@ -184,11 +204,11 @@ void vtkFoamCoarsen::AdvanceTo(int frame) {
   }
   if (timeline.end() && !this->Run->EndTold) {
     this->Run->EndTold = true;
-    vtkWarningMacro("The foam ended at time "
-                    << timeline.end_time() << " s, frame " << *timeline.end()
-                    << ": it cannot go on, because a bubble would vanish that cannot (one of "
-                    << "the last two, say) or because no equilibrium was found. "
-                    << "Later frames show the last foam.");
+    const foam::FoamRecord record = timeline.record();
+    vtkWarningMacro("The foam ended at time " << record.time << " s, frame " << *timeline.end()
+                                              << ": " << foam::reason(*record.ended)
+                                              << ". Later times show the last foam.");
+    this->Modified(); // so that the frames are announced anew
   }
 }
 
@@ -198,7 +218,7 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
     return;
   }
   this->Run->CheckedFrame = timeline.frame();
-  const auto& record = timeline.record();
+  const foam::FoamRecord record = timeline.record();
   if (!record.report.converged) {
     vtkWarningMacro("Frame " << timeline.frame() << ", time " << record.time
                              << " s, is not in equilibrium: angles are off by up to "

@@ -14,7 +14,9 @@
  *
  * Output port 0, films, and port 1, bubbles, are those of vtkFoamFromPoints. A frame that did not
  * reach equilibrium is warned about and has Converged = 0. When a bubble would vanish that
- * cannot, as one of the last two, the run ends with a warning, and later frames show the last foam.
+ * cannot, as one of the last two, or no equilibrium is found, the run ends with a warning. The
+ * frame of the end has the field data Ended = 1 and EndReason, what stands in the way; from then on
+ * it is the last that is offered, and what later times show.
  *
  * An aborted request shows the last frame that was complete; the next request goes on from there.
  *
@@ -29,6 +31,8 @@
 #include <memory> // for the options and the simulation
 
 #include "vtkFoamEquilibratingAlgorithm.h"
+
+class vtkPolyData;
 
 class VTKFOAMFILTERS_EXPORT vtkFoamCoarsen : public vtkFoamEquilibratingAlgorithm {
 public:
@@ -157,6 +161,8 @@ private:
   struct Settings;
   struct Simulation;
 
+  Settings GetSettings() const;
+  bool RunIsOf(const Settings& settings, vtkPolyData* input) const;
   void PrepareSimulation(vtkInformationVector** inputs);
   void AdvanceTo(int frame);
   void WarnIfNotConverged();

@@ -124,7 +124,12 @@ void vtkFoamSeriesWriter::WriteData() {
     }
     const double time = TimeOf(frame);
     if (loop.Behind(time)) {
-      this->SetAbortExecute(1);
+      if (foam::filters::read_end(frame).empty()) {
+        this->SetAbortExecute(1);
+      } else { // what was written last was the last, and says so now
+        loop.Series->replace_last(Vtp(frame));
+        loop.Next = loop.Times.size();
+      }
       return;
     }
     if (!loop.Series) {

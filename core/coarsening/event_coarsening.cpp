@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "coarsening/end.h"
 #include "coarsening/newton_rules.h"
 #include "mesh/validate.h"
 #include "physics/gas.h"
@@ -78,15 +79,19 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   const State before{foam_, {}, back_off_};
   iterations_ = 0;
   try {
-    bool possible = integrate(false, aborted);
-    if (!possible || !foam_.report.converged) {
+    std::optional<Obstacle> obstacle = integrate(false, aborted);
+    if (obstacle || !foam_.report.converged) {
       undo(before);
       newton_.forget();
-      possible = integrate(true, aborted);
+      obstacle = integrate(true, aborted);
     }
-    if (!possible || !is_a_foam(foam_)) {
+    if (!obstacle && !is_a_foam(foam_)) {
+      obstacle = {End::Cause::NoEquilibrium};
+    }
+    if (obstacle) {
       undo(before);
       newton_.forget();
+      foam_.ended = end_at(foam_, obstacle->cause, limit_, obstacle->bubble);
       return false;
     }
   } catch (...) {
@@ -96,10 +101,12 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   }
   foam_.time = before.foam.time + options_.time_step;
   foam_.report.iterations = iterations_;
+  foam_.ended.reset();
   return true;
 }
 
-bool EventCoarsening::integrate(bool fallback, const AbortCheck& aborted) {
+std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallback,
+                                                                    const AbortCheck& aborted) {
   fallback_ = fallback;
   now_ = 0;
   const double spacing = foam_.mean_spacing();
@@ -124,8 +131,11 @@ bool EventCoarsening::integrate(bool fallback, const AbortCheck& aborted) {
     }
     now_ = event->time;
     const std::uint64_t topology = foam_.topology;
-    if (events_left < 0 || !handle(*event, aborted)) {
-      return false;
+    if (events_left < 0) {
+      return Obstacle{End::Cause::NoEquilibrium};
+    }
+    if (const auto obstacle = handle(*event, aborted)) {
+      return obstacle;
     }
     events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
   }
@@ -133,7 +143,7 @@ bool EventCoarsening::integrate(bool fallback, const AbortCheck& aborted) {
   motion_.finish(foam_, now_);
   balance_gas();
   relax_whole(options_.equilibrator.tolerance, aborted);
-  return true;
+  return std::nullopt;
 }
 
 /// Gives a closed foam's bubbles back what has been lost on the way: by rounding and, where rates
@@ -234,57 +244,64 @@ void EventCoarsening::schedule(const Event& event) {
   }
 }
 
-/// \returns false if a bubble would vanish that cannot.
-bool EventCoarsening::handle(const Event& event, const AbortCheck& aborted) {
+std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& event,
+                                                                 const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
-    return !foam_.has_bubble(event.bubble) || handle_collapse(event.bubble, aborted);
+    return foam_.has_bubble(event.bubble) ? handle_collapse(event.bubble, aborted) : std::nullopt;
   }
   const Film film = event.film;
   if (!foam_.has_film(film)) {
-    return true;
+    return std::nullopt;
   }
   const std::array bubbles{foam_.left(film.half()), foam_.right(film.half())};
   motion_.bring(foam_, rings_around(foam_, bubbles, kRings), now_);
   if (event.kind == Event::Kind::Strain) {
     relax_around(bubbles, aborted);
-    return true;
+    return std::nullopt;
   }
   if (film_is_due(film)) {
     const CascadeResult result = topological_cascade(foam_, rules(), std::array{film}, {});
     if (result.changed()) {
       relax_around(result.bubbles, aborted);
-      return true;
+      return std::nullopt;
     }
   }
   schedule_film(film);
-  return true;
+  return std::nullopt;
 }
 
-bool EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
+std::optional<EventCoarsening::Obstacle>
+EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
   const double target = foam_.target_area[bubble];
   if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
     relax_around(std::array{bubble}, aborted);
     if (motion_.area_rate(bubble) >= 0) {
-      return true;
+      return std::nullopt;
     }
   }
   if (foam_.sides[bubble] <= 3) {
     const CascadeResult result = topological_cascade(foam_, rules(), {}, std::array{bubble});
-    if (result.changed()) {
-      relax_around(result.bubbles, aborted);
+    if (!result.changed()) {
+      return cannot_vanish(bubble);
     }
-    return result.changed();
+    relax_around(result.bubbles, aborted);
+    return std::nullopt;
   }
   if (reduce_sides(bubble, aborted)) {
-    return true;
+    return std::nullopt;
   }
   if (foam_.target_area[bubble] <= smallest_area_ * (1 + kReached)) {
-    return false;
+    return cannot_vanish(bubble);
   }
   back_off_[bubble] *= 0.25;
   schedule_bubble(bubble);
-  return true;
+  return std::nullopt;
+}
+
+EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
+  const bool last_two = foam_.bubble_count() == 2;
+  return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }
 
 /// Takes a side from a bubble that is at its end with more than three, so that three are left at

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "coarsening/coarsening.h"
@@ -38,7 +39,13 @@ private:
     Field<Bubble, double> back_off;
   };
 
-  bool integrate(bool fallback, const AbortCheck& aborted);
+  /// What a frame cannot get over.
+  struct Obstacle {
+    End::Cause cause;
+    Bubble bubble = kNone; ///< that is to vanish
+  };
+
+  std::optional<Obstacle> integrate(bool fallback, const AbortCheck& aborted);
   void predict_whole();
   /// At which a foam may leave equilibrium along its response, 1/s: in a frame by so much that one
   /// more step of Newton's method is enough.
@@ -50,8 +57,9 @@ private:
   void schedule_bubble(Bubble bubble);
   void schedule(const Event& event);
 
-  bool handle(const Event& event, const AbortCheck& aborted);
-  bool handle_collapse(Bubble bubble, const AbortCheck& aborted);
+  std::optional<Obstacle> handle(const Event& event, const AbortCheck& aborted);
+  std::optional<Obstacle> handle_collapse(Bubble bubble, const AbortCheck& aborted);
+  Obstacle cannot_vanish(Bubble bubble) const;
   bool reduce_sides(Bubble bubble, const AbortCheck& aborted);
   void slide_two_sided_bubbles(const AbortCheck& aborted);
   CollapseRules rules() const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
+#include "coarsening/end.h"
 #include "mesh/foam.h"
 #include "topology/collapse_operations.h"
 
@@ -8,13 +11,21 @@ namespace foam {
 
 /// What a frame has done on the view of a foam.
 struct FrameResult {
-  bool performed = false; ///< not, if the foam cannot go on
+  std::optional<End::Cause> end; ///< why the foam cannot go on; the frame is not performed then
+  Thresholds limit;              ///< in force
   OperationCount operations;
   EquilibriumReport report;
+
+  bool performed() const { return !end; }
 };
 
-/// Notes a frame that has been performed in the foam.
+/// Notes a frame in the foam: in the next one if it has been performed, or else in the last.
 inline void note(Foam& foam, const FrameResult& result, double time_step) {
+  foam.ended.reset();
+  if (!result.performed()) {
+    foam.ended = end_at(foam, *result.end, result.limit);
+    return;
+  }
   count(foam, result.operations);
   foam.report = result.report;
   foam.time += time_step;

@@ -82,8 +82,8 @@ public:
   /// frame throws Aborted or is not performed, the mesh is somewhere in between.
   template <class Begin> FrameResult advance(const Begin& begin, const AbortCheck& aborted) {
     const FrameResult result = try_to_advance(begin(), false, aborted);
-    return result.performed && result.report.converged ? result
-                                                       : try_to_advance(begin(), true, aborted);
+    return result.performed() && result.report.converged ? result
+                                                         : try_to_advance(begin(), true, aborted);
   }
 
 private:
@@ -99,12 +99,10 @@ private:
         (fallback ? kFallbackSteps : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
     FrameResult result;
-    for (int step = 0; step < steps; ++step) {
-      if (!take_step(mesh, rules, aborted, result)) {
-        return {};
-      }
+    result.limit = rules.limit;
+    for (int step = 0; step < steps && result.performed(); ++step) {
+      take_step(mesh, rules, aborted, result);
     }
-    result.performed = true;
     return result;
   }
 
@@ -122,8 +120,7 @@ private:
             .time_step = options_.time_step};
   }
 
-  /// \returns false if the foam cannot go on.
-  bool take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
+  void take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
                  FrameResult& result) {
     if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
       reservations_.run(mesh,
@@ -138,7 +135,8 @@ private:
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
     if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
-      return false;
+      result.end = End::Cause::LastTwo;
+      return;
     }
     diffuse(executor_, mesh, rate, sums, rules.time_step);
 
@@ -147,7 +145,9 @@ private:
     result.report = found.report;
     result.report.iterations = iterations;
     result.operations.t1 += found.t1;
-    return found.report.converged || measure_equilibrium(executor_, const_view(mesh)).possible;
+    if (!found.report.converged && !measure_equilibrium(executor_, const_view(mesh)).possible) {
+      result.end = End::Cause::NoEquilibrium;
+    }
   }
 
   Executor& executor_;

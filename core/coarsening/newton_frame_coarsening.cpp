@@ -20,12 +20,11 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
     return view_of(next);
   };
   const FrameResult result = frame_.advance(begin, aborted);
-  if (!result.performed) {
-    return false;
+  if (result.performed()) {
+    foam_ = std::move(next);
   }
-  note(next, result, options_.time_step);
-  foam_ = std::move(next);
-  return true;
+  note(foam_, result, options_.time_step);
+  return result.performed();
 }
 
 } // namespace foam

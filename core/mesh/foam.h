@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "mesh/fields.h"
 #include "mesh/mesh_access.h"
@@ -21,6 +22,25 @@ struct EquilibriumReport {
   friend bool operator==(const EquilibriumReport&, const EquilibriumReport&) = default;
 };
 
+/// Why a foam cannot go on, in figures of the last one that there is.
+struct End {
+  enum class Cause : std::uint8_t {
+    LastTwo,      ///< a bubble is to vanish that is one of the last two
+    CannotVanish, ///< a bubble is to vanish, and no operation takes it away
+    NoEquilibrium ///< none was found for what comes next
+  };
+
+  Cause cause = Cause::NoEquilibrium;
+  std::int64_t bubble = 0; ///< the one that is to vanish, or the smallest
+  Index sides = 0;         ///< its films
+  double area = 0;         ///< its A^τ, cm²
+  double t2_area = 0;      ///< in force, at which bubbles vanish, cm²
+  double t1_length = 0;    ///< in force, at which films may swap, cm
+  Index bubbles = 0;       ///< that are left
+
+  friend bool operator==(const End&, const End&) = default;
+};
+
 /// What is known about a foam as a whole.
 struct FoamRecord {
   Surroundings surroundings;
@@ -30,6 +50,7 @@ struct FoamRecord {
   std::int64_t t2_count = 0;  ///< T2s so far
   std::int64_t t3_count = 0;  ///< T3s so far
   EquilibriumReport report;   ///< of the last equilibration
+  std::optional<End> ended;   ///< of a run that ended with this foam
 
   friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "coarsening/end.h"
 #include "parallel/host.h"
 #include "physics/gas.h"
 #include "thesis/algorithms.h"
@@ -113,7 +114,9 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   const Thresholds limit = thresholds(next, options_.thresholds);
   const double spacing = next.mean_spacing();
   diffuse(next, options_.permeability, options_.time_step);
+  next.ended.reset();
   if (comes_to_an_end(next, limit.t2_area)) {
+    foam_.ended = end_at(foam_, End::Cause::LastTwo, limit);
     return false;
   }
   const ThesisRules rules{limit, options_.two_sided_bubbles};

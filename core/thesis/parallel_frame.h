@@ -54,14 +54,15 @@ public:
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const Thresholds limit = thresholds(executor_, mesh, sums.target_area, options_.thresholds);
+    FrameResult result;
+    result.limit = limit;
     diffuse(executor_, mesh, rate, sums, options_.time_step);
     if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, IsGone{rate.mesh, limit.t2_area},
                          parallel::Or{})) {
-      return {};
+      result.end = End::Cause::LastTwo;
+      return result;
     }
-    FrameResult result;
-    result.performed = true;
     const ThesisRules rules{limit, options_.two_sided_bubbles};
     if (rules.two_sided_bubbles == TwoSidedBubbles::Slide) {
       reservations_.run(mesh,

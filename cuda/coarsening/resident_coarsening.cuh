@@ -37,13 +37,14 @@ public:
       return next_.view();
     };
     const FrameResult result = frame_.advance(begin, aborted);
-    if (!result.performed) {
-      return false;
+    if (result.performed()) {
+      std::swap(now_, next_);
+      fetched_ = false;
+    } else {
+      foam();
     }
-    std::swap(now_, next_);
     note(foam_, result, time_step_);
-    fetched_ = false;
-    return true;
+    return result.performed();
   }
 
   const Foam& foam() const override {

@@ -97,7 +97,11 @@ TEST(Coarsening, DoubleBubbleLivesItsTime) {
     EXPECT_NEAR(coarsening->foam().area(Bubble(0)), 0.5 * (1 - frames / 100.0), 1e-9);
     EXPECT_NEAR(coarsening->foam().area(Bubble(1)), 0.5 + 0.5 * (1 - frames / 100.0), 1e-9);
   }
-  EXPECT_EQ(frames, 99);                           // the hundredth would leave one bubble
+  EXPECT_EQ(frames, 99); // the hundredth would leave one bubble
+  ASSERT_TRUE(coarsening->foam().ended);
+  EXPECT_EQ(coarsening->foam().ended->cause, End::Cause::LastTwo);
+  EXPECT_EQ(coarsening->foam().ended->bubble, 0);
+  EXPECT_NEAR(coarsening->foam().ended->area, 0.005, 1e-9);
   EXPECT_EQ(coarsening->foam().bubble_count(), 2); // the last foam is kept
   EXPECT_NEAR(coarsening->foam().time, 0.99 * lifetime, 1e-12);
 }

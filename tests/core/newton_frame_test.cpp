@@ -163,6 +163,8 @@ TEST(NewtonFrame, GoesToTheLastTwoBubbles) {
     ASSERT_LT(frame, 3000);
   }
   EXPECT_EQ(coarsening.foam().bubble_count(), 2);
+  ASSERT_TRUE(coarsening.foam().ended);
+  EXPECT_EQ(coarsening.foam().ended->cause, End::Cause::LastTwo);
 }
 
 TEST(NewtonFrame, DoubleBubbleLivesItsTime) {

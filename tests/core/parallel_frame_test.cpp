@@ -48,7 +48,7 @@ TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
   ParallelFrame<Host> parallel(host, options);
   for (int frame = 0; frame < 15; ++frame) {
     const FrameResult result = parallel.advance([&] { return view_of(foam); }, {});
-    ASSERT_EQ(result.performed, serial.advance({}));
+    ASSERT_EQ(result.performed(), serial.advance({}));
     count(foam, result.operations);
     const Foam& expected = serial.foam();
     ASSERT_EQ(foam.t1_count, expected.t1_count) << frame;
@@ -85,7 +85,7 @@ TEST(ParallelFrame, DoesNotDependOnTheNumberOfThreads) {
     Host host(threads, 128);
     ParallelFrame<Host> frame(host, options);
     for (int i = 0; i < 3; ++i) {
-      EXPECT_TRUE(frame.advance([&] { return view_of(foam); }, {}).performed);
+      EXPECT_TRUE(frame.advance([&] { return view_of(foam); }, {}).performed());
     }
     return foam;
   };
@@ -110,7 +110,7 @@ TEST(ParallelFrame, EndsWithADoubleBubble) {
   Foam foam = foam_of(set);
   Host host;
   EXPECT_FALSE(
-      ParallelFrame<Host>(host, options).advance([&] { return view_of(foam); }, {}).performed);
+      ParallelFrame<Host>(host, options).advance([&] { return view_of(foam); }, {}).performed());
 }
 
 TEST(ParallelFrame, RefusesFilmsOfTheirOwnTension) {

@@ -340,6 +340,8 @@ void end() {
   coarsening->restart(double_bubble());
   EXPECT_TRUE(!coarsening->advance({}));
   EXPECT_TRUE(coarsening->foam().target_area == double_bubble().target_area);
+  EXPECT_TRUE(coarsening->record().ended.has_value());
+  EXPECT_EQ(coarsening->record().ended->bubble, 0);
 }
 
 void abort() {

@@ -12,8 +12,9 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from foam.vtkFoamFilters import vtkFoamSeriesWriter
-from foam_testing import Messages, coarsening_of, differences, foam_of_points, go_to, read, times
+from foam.vtkFoamFilters import vtkFoamFromPoints, vtkFoamSeriesWriter
+from foam_testing import (Messages, coarsening_of, differences, foam_of_points, go_to, points_of, read,
+                          times)
 
 FRAMES = 24
 NOBODY = 65534
@@ -110,6 +111,20 @@ class Writing(Series):
             writer = writer_of(self.coarsen, self.path, WriteTimeSteps=False, Append=k > 0)
             self.assertEqual(writer.Write(), 1)
             self.check(k + 1)
+
+    def test_a_run_that_ends(self):
+        """The frame of the end is the last that is written, and says so, in films and in bubbles."""
+        foam = vtkFoamFromPoints()
+        foam.SetInputData(points_of([(0, 0), (1, 0.1), (0.3, 1), (1.2, 1.3)]))
+        for port in (0, 1):
+            coarsen = coarsening_of(foam, NumberOfFrames=400, T2Area=0.001, T1Length=0.001)
+            self.assertEqual(writer_of(coarsen, self.path, port=port).Write(), 1)
+            listed = entries(self.path)
+            self.assertLess(len(listed), 401)
+            ended = [read(file).GetFieldData().HasArray("Ended") for _, file in listed]
+            self.assertEqual(ended, [0] * (len(listed) - 1) + [1])
+            coarsen.UpdateInformation()
+            self.assertEqual([time for time, _ in listed], times(coarsen))
 
     def test_without_time(self):
         self.assertEqual(writer_of(self.foam, self.path).Write(), 1)

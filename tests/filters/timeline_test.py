@@ -225,16 +225,31 @@ class Warnings(unittest.TestCase):
         self.assertEqual(len(messages.warnings), 1, messages.warnings)
         self.assertIn("ended at time", messages.warnings[0])
         self.assertEqual(bubbles.GetNumberOfPolys(), 2)
+        end = single(films, "TimeValue")
+        coarsen.UpdateInformation()
         offered = times(coarsen)
-        self.assertEqual(single(films, "TimeValue"), offered[400])
-        earlier, _ = go_to(coarsen, 390)
-        self.assertEqual(single(earlier, "TimeValue"), offered[390])
-        self.assertEqual(list(column(earlier.GetCellData(), "Length")),
-                         list(column(films.GetCellData(), "Length")))
+        self.assertLess(len(offered), 401)
+        self.assertEqual(offered[-1], end)
+        for output in (films, bubbles):
+            field = output.GetFieldData()
+            self.assertEqual(single(output, "Ended"), 1)
+            reason = field.GetAbstractArray("EndReason").GetValue(0)
+            self.assertIn("one of the last two", reason)
+            self.assertIn("2 sides", reason)
+        before, _ = go_to(coarsen, len(offered) - 2)
+        self.assertFalse(before.GetFieldData().HasArray("Ended"))
+        again, _ = go_to(coarsen, len(offered) - 1)
+        self.assertEqual(differences(again, films), [])
         self.assertEqual(len(messages.warnings), 1)
-        again, _ = go_to(coarsening_of(films), 5)
+
+        resumed = coarsening_of(films, T2Area=0.001, T1Length=0.001)
+        messages = Messages(resumed)
+        go_to(resumed, 0)
+        self.assertIn("one of the last two", messages.warnings[0])
+        again, _ = go_to(resumed, 5)
         self.assertEqual(list(column(again.GetCellData(), "Length")),
                          list(column(films.GetCellData(), "Length")))
+        self.assertEqual(len(messages.warnings), 2)
 
     def test_not_converged(self):
         foam = foam_of_points()

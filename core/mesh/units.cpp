@@ -78,6 +78,11 @@ FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
     result.surroundings.lattice = in_units(record.surroundings.lattice, change);
   }
   result.surface_tension *= change.tension;
+  if (result.ended) {
+    result.ended->area *= change.area();
+    result.ended->t2_area *= change.area();
+    result.ended->t1_length *= change.length;
+  }
   return result;
 }
 

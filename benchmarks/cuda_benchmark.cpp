@@ -43,9 +43,17 @@ Foam start(Index columns, Index rows) {
   return honeycomb({.columns = columns, .rows = rows, .displacement = 0.1, .swaps = 0.2});
 }
 
-/// The thesis's method and constants (Figure 4.19).
-std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
+/// The thesis's time step and thresholds (Figure 4.19).
+CoarseningOptions thesis_options() {
   CoarseningOptions options;
+  options.time_step = 1.0 / 30;
+  options.thresholds.kind = ThresholdKind::Absolute;
+  return options;
+}
+
+/// The thesis's method and constants.
+std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
+  CoarseningOptions options = thesis_options();
   options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.device = device;
@@ -57,7 +65,7 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
 /// Frames with Newton's method, and the thesis's thresholds.
 std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam,
                                       LinearSolver solver = LinearSolver::Iterative) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.stepping = Stepping::FixedSteps;
   options.equilibrator.device = device;
   options.equilibrator.tolerance = tolerance;

@@ -206,6 +206,7 @@ void time_steps(Index bubbles, int count) {
   CoarseningOptions options;
   options.time_step = 1;
   options.permeability = 0.01 / von_neumann_constant(foam.surface_tension, 1);
+  options.thresholds.kind = ThresholdKind::Absolute;
   options.thresholds.t1_length = 0.1;
   options.thresholds.t2_area = 0.05;
   time_frames("steps", std::move(foam), options, count, whole);
@@ -217,8 +218,8 @@ Foam thesis_foam(Index bubbles, Boundary boundary) {
   BuildOptions build;
   build.boundary = boundary;
   if (boundary == Boundary::Periodic) {
-    const double side = kSpacing * std::ceil(std::sqrt(bubbles));
-    build.torus = Lattice::rectangle(0, side, 0, side);
+    const Vec2 corner = grid_corner(bubbles, kSpacing);
+    build.torus = Lattice::rectangle(0, corner.x, 0, corner.y);
   }
   return build_from_points(jittered_grid(bubbles, kSpacing, 1, 1), build);
 }
@@ -229,6 +230,8 @@ void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundar
   const Stopwatch whole;
   Foam foam = thesis_foam(bubbles, boundary);
   CoarseningOptions options;
+  options.time_step = 1.0 / 30;
+  options.thresholds.kind = ThresholdKind::Absolute;
   options.equilibrator.tolerance = tolerance;
   make_equilibrator(options.equilibrator)->equilibrate(foam, options.thresholds.t1_length, {});
   time_frames(work, std::move(foam), options, count, whole);

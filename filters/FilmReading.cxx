@@ -136,6 +136,10 @@ void read_state(vtkFieldData* data, FilmSet& set) {
   if (data->HasArray("Residual")) {
     set.report.residual = single(data, "Residual");
   }
+  if (data->HasArray("TimeStep")) {
+    set.time_step = single(data, "TimeStep");
+    set.thresholds = {single(data, "T1Length"), single(data, "T2Area")};
+  }
 
   const vtkIdType count = Column::find(data, "BubbleId")->GetNumberOfTuples();
   const Column id(data, "BubbleId", count, "bubble");
@@ -265,6 +269,13 @@ void read_outsides(vtkFieldData* data, FilmSet& set) {
   }
 }
 
+/// A single value in the field data; 0 if there is none.
+double value_or_zero(vtkPolyData* films, const char* name) {
+  vtkDataArray* array = films ? films->GetFieldData()->GetArray(name) : nullptr;
+  const double value = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : 0;
+  return std::isfinite(value) ? value : 0;
+}
+
 } // namespace
 
 FilmSet read_films(vtkPolyData* films) {
@@ -317,9 +328,22 @@ Foam read_foam(vtkPolyData* films) {
 }
 
 double read_time(vtkPolyData* films) {
-  vtkDataArray* time = films ? films->GetFieldData()->GetArray("TimeValue") : nullptr;
-  const double value = time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0) : 0;
-  return std::isfinite(value) ? value : 0;
+  return value_or_zero(films, "TimeValue");
+}
+
+double read_time_step(vtkPolyData* films, const CoarseningOptions& options) {
+  FoamRecord record;
+  record.time_step = value_or_zero(films, "TimeStep");
+  record.surface_tension = value_or_zero(films, "SurfaceTension");
+  double total = 0;
+  vtkDataArray* areas = films ? films->GetFieldData()->GetArray("BubbleTargetArea") : nullptr;
+  const vtkIdType count = areas ? areas->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < count; ++i) {
+    total += areas->GetComponent(i, 0);
+  }
+  const double mean_area = count > 0 ? total / static_cast<double>(count) : 0;
+  const double step = time_step(options, record, mean_area);
+  return std::isfinite(step) ? step : 0;
 }
 
 std::string read_end(vtkPolyData* data) {

@@ -63,6 +63,8 @@ public:
 
   /// Time of frame 0, s.
   double start_time() const { return start_.time; }
+  /// Δt, s, the automatic one if that is asked for.
+  double time_step() const { return coarsening_->record().time_step; }
   int frame() const { return frame_; }
   /// What is known about the foam of the current frame as a whole.
   FoamRecord record() const;

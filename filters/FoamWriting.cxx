@@ -129,6 +129,11 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   add_value<vtkIdTypeArray>(data, "T2Count", record.t2_count);
   add_value<vtkIdTypeArray>(data, "T3Count", record.t3_count);
   write_end(record, data);
+  if (record.time_step > 0) {
+    add_value<vtkDoubleArray>(data, "TimeStep", record.time_step);
+    add_value<vtkDoubleArray>(data, "T1Length", record.thresholds.t1_length);
+    add_value<vtkDoubleArray>(data, "T2Area", record.thresholds.t2_area);
+  }
   add_value<vtkIntArray>(data, "FormatVersion", kFormatVersion);
 }
 

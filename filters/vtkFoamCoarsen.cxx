@@ -74,7 +74,7 @@ using ThisClass = vtkFoamCoarsen;
 #define FOAM_OPTIONS(option, choice) \
   option(TimeStep, double, this->Options->coarsening.time_step) \
   option(Permeability, double, this->Options->coarsening.permeability) \
-  choice(Thresholds, this->Options->coarsening.thresholds.relative) \
+  choice(Thresholds, this->Options->coarsening.thresholds.kind) \
   option(T1Length, double, this->Options->coarsening.thresholds.t1_length) \
   option(T2Area, double, this->Options->coarsening.thresholds.t2_area) \
   option(Alpha, double, this->Options->coarsening.thresholds.alpha) \
@@ -101,7 +101,7 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   const double start = foam::filters::read_time(input);
 
-  const double timeStep = this->GetTimeStep();
+  const double timeStep = foam::filters::read_time_step(input, this->Options->coarsening);
   const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
   auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
   if (this->RunIsOf(this->GetSettings(), input)) {
@@ -128,8 +128,8 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
                               vtkInformationVector* outputs) {
   try {
     this->PrepareSimulation(inputs);
-    const double timeStep = this->GetTimeStep();
     auto& timeline = this->Run->Timeline;
+    const double timeStep = timeline.time_step();
     const auto times =
         foam::filters::frame_times(timeline.start_time(), timeStep, this->NumberOfFrames);
     this->AdvanceTo(
@@ -169,15 +169,16 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   if (!this->RunIsOf(settings, input)) {
     auto films = foam::filters::read_films(input);
-    const double timeStep = settings.coarsening.time_step;
-    if (timeStep > 0 && !TimeCanPass(films.time, timeStep)) {
-      foam::filters::fail("TimeStep ", timeStep, " s leads to no later time than ", films.time,
-                          " s");
-    }
     if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
       this->Run.reset();
       foam::filters::checked_foam(films);
-      this->Run = std::make_unique<Simulation>(std::move(films), settings);
+      auto run = std::make_unique<Simulation>(std::move(films), settings);
+      const double start = run->Timeline.start_time();
+      const double timeStep = run->Timeline.time_step();
+      if (!TimeCanPass(start, timeStep)) {
+        foam::filters::fail("TimeStep ", timeStep, " s leads to no later time than ", start, " s");
+      }
+      this->Run = std::move(run);
       this->WarnIfNotConverged();
       if (const std::string end = foam::filters::read_end(input); !end.empty()) {
         vtkWarningMacro("The input is the last foam of a run that ended: "

@@ -40,14 +40,17 @@ public:
   vtkTypeMacro(vtkFoamCoarsen, vtkFoamEquilibratingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum ThresholdsType { Absolute = 0, Relative = 1 };
+  enum ThresholdsType { Absolute = 0, Relative = 1, Automatic = 2 };
   enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
   enum SteppingType { Events = 0, FixedSteps = 1 };
   enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2, Simultaneous = 3 };
 
   ///@{
   /**
-   * Time between two frames, Δt, s, > 0. Default 1/30.
+   * Time between two frames, Δt, s. 0, the default, stands for an automatic one: that with which
+   * the input has been coarsened already or, of films that have not, the one of which 300 leave
+   * about a third of the bubbles, whatever their unit. The one in force is in the films' field
+   * data as TimeStep.
    */
   foamOptionMacro(TimeStep, double);
   ///@}
@@ -70,10 +73,13 @@ public:
 
   ///@{
   /**
-   * Whether the thresholds are the two absolute values (default), or follow from Alpha and the
-   * foam's own length, which grows as it coarsens (Weygand's).
+   * Where the thresholds come from. Automatic (default): T1s at a hundredth of √Ā, T2s at a
+   * hundredth of Ā, where Ā is the bubbles' mean area, which grows as they coarsen. Absolute: the
+   * two values T1Length and T2Area, with a warning if they are not small beside the bubbles.
+   * Relative: Weygand's, from Alpha and the foam's own length. Those in force are in the films'
+   * field data as T1Length and T2Area.
    */
-  foamChoiceMacro(Thresholds, Absolute, Relative);
+  foamChoiceMacro(Thresholds, Absolute, Automatic);
   ///@}
 
   ///@{

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -100,19 +101,52 @@ foam::Vec2 LowerLeft(const std::vector<foam::Vec2>& points) {
   return corner;
 }
 
+bool AnyOf(const double values[4]) {
+  return std::any_of(values, values + 4, [](double v) { return v != 0; });
+}
+
+/// The rectangle that the cells of vtkFoamPoints fill, if the input is such points still: none of
+/// its sides is further from them than two spacings, and none of them is outside.
+std::optional<foam::Lattice> ReadGrid(vtkPointSet* input, const std::vector<foam::Vec2>& points) {
+  vtkDataArray* array = input->GetFieldData()->GetArray("PeriodicBounds");
+  if (!array || array->GetNumberOfComponents() != 4 || array->GetNumberOfTuples() != 1 ||
+      points.empty()) {
+    return std::nullopt;
+  }
+  double grid[4];
+  array->GetTuple(0, grid);
+  double bounds[6];
+  input->GetBounds(bounds);
+  const double area = (grid[1] - grid[0]) * (grid[3] - grid[2]);
+  const double farthest = 2 * std::sqrt(area / static_cast<double>(points.size()));
+  const auto beside = [&](double side, double extreme) {
+    return side >= extreme && side - extreme <= farthest;
+  };
+  if (!beside(bounds[0], grid[0]) || !beside(grid[1], bounds[1]) || !beside(bounds[2], grid[2]) ||
+      !beside(grid[3], bounds[3])) {
+    return std::nullopt;
+  }
+  return foam::Lattice::rectangle(grid[0], grid[1], grid[2], grid[3]);
+}
+
 /// None where it shall follow from the points.
-std::optional<foam::Lattice> ReadTorus(const double bounds[4], const double periods[4],
+std::optional<foam::Lattice> ReadTorus(vtkPointSet* input, const double bounds[4],
+                                       const double periods[4],
                                        const std::vector<foam::Vec2>& points) {
   CheckFinite("PeriodicBounds", bounds);
   CheckFinite("PeriodVectors", periods);
-  const bool bounded = bounds[0] < bounds[1] && bounds[2] < bounds[3];
-  if (std::any_of(periods, periods + 4, [](double p) { return p != 0; })) {
+  const bool bounded = AnyOf(bounds);
+  if (bounded && !(bounds[0] < bounds[1] && bounds[2] < bounds[3])) {
+    fail("PeriodicBounds must be xmin < xmax and ymin < ymax, or four zeros, but are ", bounds[0],
+         " ", bounds[1], " ", bounds[2], " ", bounds[3]);
+  }
+  if (AnyOf(periods)) {
     return foam::Lattice{bounded ? foam::Vec2{bounds[0], bounds[2]} : LowerLeft(points),
                          {periods[0], periods[1]},
                          {periods[2], periods[3]}};
   }
   if (!bounded) {
-    return std::nullopt;
+    return ReadGrid(input, points);
   }
   return foam::Lattice::rectangle(bounds[0], bounds[1], bounds[2], bounds[3]);
 }
@@ -136,6 +170,7 @@ using ThisClass = vtkFoamFromPoints;
 // clang-format off
 #define FOAM_OPTIONS(option, choice) \
   choice(Boundary, this->Options->boundary) \
+  option(FoldPoints, bool, this->Options->fold) \
   choice(TargetAreas, this->Options->target_areas) \
   option(SurfaceTension, double, this->Options->surface_tension) \
   option(FinSize, double, this->Options->fin_size)
@@ -165,7 +200,7 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
   const std::vector<foam::Vec2> points = ReadPoints(input);
   foam::BuildOptions options = *this->Options;
   if (options.boundary == foam::Boundary::Periodic) {
-    options.torus = ReadTorus(this->PeriodicBounds, this->PeriodVectors, points);
+    options.torus = ReadTorus(input, this->PeriodicBounds, this->PeriodVectors, points);
   }
   if (options.target_areas == foam::TargetAreas::Array) {
     options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);

@@ -59,8 +59,9 @@ public:
 
   ///@{
   /**
-   * The torus of a periodic foam: xmin, xmax, ymin, ymax, cm. Bounds that are empty, as by default,
-   * stand for the points' bounds grown by half a mean spacing.
+   * The torus of a periodic foam: xmin, xmax, ymin, ymax, cm. Four zeros, the default, stand for
+   * the rectangle that the points of vtkFoamPoints fill and, for other points, for their bounds
+   * grown so that bubbles at the seam are as large as the others.
    */
   vtkSetVector4Macro(PeriodicBounds, double);
   vtkGetVector4Macro(PeriodicBounds, double);
@@ -74,6 +75,14 @@ public:
    */
   vtkSetVector4Macro(PeriodVectors, double);
   vtkGetVector4Macro(PeriodVectors, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points that extend over more than the torus are folded onto it. Off by default: that is
+   * an error.
+   */
+  foamOptionMacro(FoldPoints, bool);
   ///@}
 
   ///@{

@@ -5,6 +5,8 @@
 #include <exception>
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,6 +41,12 @@ int vtkFoamPoints::RequestData(vtkInformation* request, vtkInformationVector**,
     }
     output->SetPoints(points);
     output->SetVerts(vertices);
+    const foam::Vec2 corner = foam::grid_corner(this->NumberOfPoints, this->Spacing);
+    vtkNew<vtkDoubleArray> bounds;
+    bounds->SetName("PeriodicBounds");
+    bounds->SetNumberOfComponents(4);
+    bounds->InsertNextTuple4(0, corner.x, 0, corner.y);
+    output->GetFieldData()->AddArray(bounds);
   } catch (const std::exception& error) {
     vtkErrorMacro(<< error.what());
   }

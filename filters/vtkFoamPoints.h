@@ -4,7 +4,8 @@
  * @brief Random points to build a foam from: the thesis's jittered grid.
  *
  * One point at a random place in each cell of a square grid, row by row. The same seed gives the
- * same points on every platform. The points lie in the plane z = 0, in double precision.
+ * same points on every platform. The points lie in the plane z = 0, in double precision. The
+ * rectangle that the cells fill is the field data PeriodicBounds: xmin, xmax, ymin, ymax, cm.
  *
  * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
  * of Copenhagen, 2010, section 4.5.3.

@@ -27,14 +27,14 @@ public:
     options_.stepping = pick(std::array{Stepping::Events, Stepping::FixedSteps});
     options_.two_sided_bubbles = pick(std::array{TwoSidedBubbles::Remove, TwoSidedBubbles::Slide});
     options_.thresholds =
-        pick(std::array<ThresholdOptions, 8>{{{.t1_length = 0.025, .t2_area = 0.05},
-                                              {.t1_length = 0.025, .t2_area = 0.05},
-                                              {.t1_length = 0.1, .t2_area = 0.1},
-                                              {.t1_length = 0.05, .t2_area = 0.005},
-                                              {.t1_length = 0.002, .t2_area = 1e-4},
-                                              {.t1_length = 0, .t2_area = 0},
-                                              {.relative = true},
-                                              {.relative = true, .alpha = 0.02}}});
+        pick(std::array<ThresholdOptions, 8>{{{.kind = ThresholdKind::Absolute, .t1_length = 0.025, .t2_area = 0.05},
+                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.025, .t2_area = 0.05},
+                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.1, .t2_area = 0.1},
+                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.05, .t2_area = 0.005},
+                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.002, .t2_area = 1e-4},
+                                              {.kind = ThresholdKind::Absolute, .t1_length = 0, .t2_area = 0},
+                                              {.kind = ThresholdKind::Relative},
+                                              {.kind = ThresholdKind::Relative, .alpha = 0.02}}});
     areas_ = pick(std::array{TargetAreas::Initial, TargetAreas::Uniform, TargetAreas::Array});
     surface_tension_ = between(0.05, 5);
     options_.permeability = between(0.1, 10);

@@ -102,6 +102,7 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   foam_.time = before.foam.time + options_.time_step;
   foam_.report.iterations = iterations_;
   foam_.ended.reset();
+  foam_.thresholds = limit_;
   return true;
 }
 

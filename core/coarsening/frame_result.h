@@ -28,6 +28,7 @@ inline void note(Foam& foam, const FrameResult& result, double time_step) {
   }
   count(foam, result.operations);
   foam.report = result.report;
+  foam.thresholds = result.limit;
   foam.time += time_step;
 }
 

@@ -111,7 +111,7 @@ private:
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
     Thresholds limit = newton_thresholds(
-        thresholds(executor_, mesh, sums.target_area, options_.thresholds), spacing);
+        thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds), spacing);
     limit.t1_length = std::max(limit.t1_length, fallback ? kFallbackT1 * spacing : 0);
     return {.limit = limit,
             .two_sided = {options_.two_sided_bubbles, limit.t1_length},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "equilibrium/options.h"
+#include "mesh/foam.h"
 #include "physics/thresholds.h"
 #include "topology/two_sided.h"
 
@@ -22,8 +23,8 @@ enum class TopologicalAlgorithm {
 };
 
 struct CoarseningOptions {
-  double time_step = 1.0 / 30; ///< Δt, s, > 0
-  double permeability = 1;     ///< κ, cm²/s in the thesis's units, ≥ 0
+  double time_step = 0;    ///< Δt, s, ≥ 0; 0 stands for an automatic one
+  double permeability = 1; ///< κ, cm²/s in the thesis's units, ≥ 0
   ThresholdOptions thresholds;
   TwoSidedBubbles two_sided_bubbles = TwoSidedBubbles::Remove;
   Stepping stepping = Stepping::Events;                                     ///< of Newton
@@ -32,6 +33,12 @@ struct CoarseningOptions {
 
   friend bool operator==(const CoarseningOptions&, const CoarseningOptions&) = default;
 };
+
+/// Δt with which a foam is to coarsen, s: that of the options or, where it is automatic, the one
+/// with which the foam has coarsened so far or, in a foam that has not, one of which 300 leave
+/// about a third of the bubbles.
+/// \param mean_area of its bubbles' targets, cm²
+double time_step(const CoarseningOptions& options, const FoamRecord& foam, double mean_area);
 
 /// \throws FoamError for options out of range.
 void check(const CoarseningOptions& options);

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "construct/default_torus.h"
 #include "construct/dual_mesh.h"
 #include "construct/triangulation.h"
 
@@ -97,22 +98,6 @@ void check_not_on_a_line(std::span<const Vec2> points) {
   }
 }
 
-/// The points' bounds grown by half a mean spacing m on every side, where m² is the area that the
-/// grown rectangle has per point: (N − 1)·m² − (w + h)·m − w·h = 0. A square grid gets its own
-/// period.
-Lattice default_torus(std::span<const Vec2> points) {
-  const auto [left, right] = std::ranges::minmax(points | std::views::transform(&Vec2::x));
-  const auto [bottom, top] = std::ranges::minmax(points | std::views::transform(&Vec2::y));
-  const double others = static_cast<double>(points.size() - 1);
-  const double width = right - left;
-  const double height = top - bottom;
-  const double sum = width + height;
-  const double product = width * height;
-  const double half_spacing = (sum + std::sqrt(sum * sum + 4 * others * product)) / (4 * others);
-  return Lattice::rectangle(left - half_spacing, right + half_spacing, bottom - half_spacing,
-                            top + half_spacing);
-}
-
 void check_torus(const Lattice& torus) {
   const auto& [origin, first, second] = torus;
   const std::string periods = "the periods " + number(first) + " and " + number(second);
@@ -130,6 +115,37 @@ void check_torus(const Lattice& torus) {
   }
 }
 
+double covered_area(std::span<const Vec2> points, std::span<const Triangle> triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    if (!a.point.is_outside()) {
+      const Vec2 p = points[a.point.place()];
+      area += 0.5 * cross(points[b.point.place()] - p, points[c.point.place()] - p);
+    }
+  }
+  return area;
+}
+
+/// Whether points lie in one period, and would not come to lie among each other on the torus.
+void check_extent(std::span<const Vec2> points, const Lattice& torus) {
+  constexpr double kRounding = 1 + 1e-9;
+  if (torus.is_rectangle()) {
+    const auto [left, right] = std::ranges::minmax(points | std::views::transform(&Vec2::x));
+    const auto [bottom, top] = std::ranges::minmax(points | std::views::transform(&Vec2::y));
+    const Vec2 extent{right - left, top - bottom};
+    if (extent.x > kRounding * torus.first.x || extent.y > kRounding * torus.second.y) {
+      throw FoamError("the points extend over " + number(extent) + ", but the torus is only " +
+                      number(Vec2{torus.first.x, torus.second.y}));
+    }
+    return;
+  }
+  const double area = covered_area(points, triangulate_plane(points));
+  if (area > kRounding * torus.area()) {
+    throw FoamError("the points cover an area of " + number(area) + ", but that of the torus is " +
+                    number(torus.area()));
+  }
+}
+
 Vec2 place(const Corner& corner, const TorusPoints& points, const Lattice& torus) {
   return points.position[corner.point] + torus.period(corner.copy);
 }
@@ -144,11 +160,15 @@ void move_into_cell(Triangle& t, const TorusPoints& points, const Lattice& torus
   }
 }
 
-Foam build_on_torus(std::span<const Vec2> points, const Lattice& torus) {
+Foam build_on_torus(std::span<const Vec2> points, const BuildOptions& options) {
+  check_not_on_a_line(points);
+  const Lattice torus = options.torus ? *options.torus : default_torus(points);
   check_torus(torus);
+  if (!options.fold) {
+    check_extent(points, torus);
+  }
   const TorusPoints sites = torus_points(points, torus);
   check_distinct(sites.snapped, points);
-  check_not_on_a_line(points);
   auto triangles = triangulate_torus(sites);
 
   std::vector<Face> faces;
@@ -161,17 +181,6 @@ Foam build_on_torus(std::span<const Vec2> points, const Lattice& torus) {
   foam.surround({Boundary::Periodic, torus});
   place_junctions(foam, faces);
   return foam;
-}
-
-double covered_area(std::span<const Vec2> points, std::span<const Triangle> triangles) {
-  double area = 0;
-  for (const auto& [a, b, c] : triangles) {
-    if (!a.point.is_outside()) {
-      const Vec2 p = points[a.point.place()];
-      area += 0.5 * cross(points[b.point.place()] - p, points[c.point.place()] - p);
-    }
-  }
-  return area;
 }
 
 /// The tip of a fin (thesis 4.5.3, x_free) on the edge from q to r, which has the outside on its
@@ -250,7 +259,7 @@ Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options
   check_points(points);
   check_options(options, points.size());
   Foam foam = options.boundary == Boundary::Periodic
-                  ? build_on_torus(points, options.torus ? *options.torus : default_torus(points))
+                  ? build_on_torus(points, options)
                   : build_on_plane(points, options.boundary, options.fin_size);
   foam.surface_tension = options.surface_tension;
   foam.target_area = target_areas(foam, options);

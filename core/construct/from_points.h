@@ -18,9 +18,8 @@ enum class TargetAreas {
 
 struct BuildOptions {
   Boundary boundary = Boundary::Free;
-  /// The torus (cm); without one, the points' bounds grown by half a mean spacing on every side,
-  /// with the mean spacing √(area per point) of the rectangle so grown.
-  std::optional<Lattice> torus;
+  std::optional<Lattice> torus; ///< cm; without one default_torus()
+  bool fold = false;            ///< whether points may extend over more than the torus
   TargetAreas target_areas = TargetAreas::Initial;
   /// cm², one per point, > 0; on a torus and in a container they must add up to its area.
   std::vector<double> target_area_array;
@@ -40,7 +39,7 @@ struct BuildOptions {
 /// not achieve that, incentres take their place. Not in equilibrium yet.
 ///
 /// A function of the points and options alone. Points outside of a torus's cell are wrapped into
-/// it.
+/// it; that they extend over more than it is an error unless they are to be folded.
 /// \param points cm, at least 3, finite, distinct (on a torus modulo its periods), not all on a
 /// line. \throws FoamError naming the cause and the offending value.
 Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options);

@@ -21,21 +21,37 @@ void check(Index count, double spacing, double jitter) {
   }
 }
 
+Index columns_of(Index count) {
+  return static_cast<Index>(std::ceil(std::sqrt(count)));
+}
+
 } // namespace
 
 std::vector<Vec2> jittered_grid(Index count, double spacing, double jitter, std::uint64_t seed) {
   check(count, spacing, jitter);
-  const auto columns = static_cast<Index>(std::ceil(std::sqrt(count)));
+  const Index columns = columns_of(count);
+  const Index rows = (count + columns - 1) / columns;
   Random random(seed);
-  std::vector<Vec2> points(place_of(count));
-  for (Index i = 0; i < count; ++i) {
-    const double in_cell_x = 0.5 + jitter * (random.uniform() - 0.5);
-    const double in_cell_y = 0.5 + jitter * (random.uniform() - 0.5);
-    const Index column = i % columns;
-    const Index row = i / columns;
-    points[place_of(i)] = {spacing * (column + in_cell_x), spacing * (row + in_cell_y)};
+  std::vector<Vec2> points;
+  double bottom = 0; // of a row, in spacings
+  for (Index row = 0; row < rows; ++row) {
+    const Index cells = count / rows + (row < count % rows ? 1 : 0);
+    const double width = static_cast<double>(columns) / cells;
+    const double height = 1 / width;
+    for (Index column = 0; column < cells; ++column) {
+      const double in_cell_x = 0.5 + jitter * (random.uniform() - 0.5);
+      const double in_cell_y = 0.5 + jitter * (random.uniform() - 0.5);
+      points.push_back(
+          {spacing * (width * (column + in_cell_x)), spacing * (bottom + height * in_cell_y)});
+    }
+    bottom += height;
   }
   return points;
+}
+
+Vec2 grid_corner(Index count, double spacing) {
+  const Index columns = columns_of(count);
+  return {spacing * columns, spacing * count / columns};
 }
 
 } // namespace foam

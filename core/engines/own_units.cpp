@@ -93,12 +93,17 @@ OwnUnitsCoarsening::OwnUnitsCoarsening(const CoarseningOptions& options, Make ma
     : options_(options), make_(std::move(make)) {}
 
 void OwnUnitsCoarsening::restart(Foam foam) {
-  const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
-  if (own != own_) {
-    coarsening_ = make_(in_units(options_, own));
-    own_ = own;
+  own_ = own_units(foam, unit_steps(options_.equilibrator.kind));
+  CoarseningOptions options = in_units(options_, own_);
+  options.time_step = foam.time_step = time_step(options_, foam, foam.mean_area());
+  if (!coarsening_ || options != its_options_) {
+    coarsening_ = make_(options);
+    its_options_ = options;
   }
-  change_units(foam, own);
+  if (foam.thresholds == Thresholds{}) {
+    foam.thresholds = thresholds(foam, options_.thresholds);
+  }
+  change_units(foam, own_);
   coarsening_->restart(std::move(foam));
   foam_.reset();
 }
@@ -109,32 +114,32 @@ bool OwnUnitsCoarsening::advance(const AbortCheck& aborted) {
 }
 
 const Foam& OwnUnitsCoarsening::foam() const {
-  if (own_->changes_nothing()) {
+  if (own_.changes_nothing()) {
     return coarsening_->foam();
   }
   if (!foam_) {
     foam_ = coarsening_->foam();
-    change_units(*foam_, own_->inverse());
+    change_units(*foam_, own_.inverse());
   }
   return *foam_;
 }
 
 const FoamRecord& OwnUnitsCoarsening::record() const {
-  record_ = in_units(coarsening_->record(), own_->inverse());
+  record_ = in_units(coarsening_->record(), own_.inverse());
   return record_;
 }
 
 SampledFoam OwnUnitsCoarsening::sample(double chord_error) {
-  SampledFoam sampled = coarsening_->sample(own_->length * chord_error);
-  if (!own_->changes_nothing()) {
-    change_units(sampled, own_->inverse());
+  SampledFoam sampled = coarsening_->sample(own_.length * chord_error);
+  if (!own_.changes_nothing()) {
+    change_units(sampled, own_.inverse());
   }
   return sampled;
 }
 
 FoamStatistics OwnUnitsCoarsening::statistics(bool include_boundary) {
   FoamStatistics result = coarsening_->statistics(include_boundary);
-  change_units(result, own_->inverse());
+  change_units(result, own_.inverse());
   return result;
 }
 

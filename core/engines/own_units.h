@@ -30,7 +30,8 @@ private:
   UnitSteps steps_;
 };
 
-/// The units are those of the foam that it begins with, until it begins anew.
+/// The units, and an automatic time step, are those of the foam that it begins with, until it
+/// begins anew.
 class OwnUnitsCoarsening final : public Coarsening {
 public:
   using Make = std::function<std::unique_ptr<Coarsening>(const CoarseningOptions&)>;
@@ -47,8 +48,9 @@ public:
 private:
   CoarseningOptions options_;
   Make make_;
+  UnitChange own_;
   std::unique_ptr<Coarsening> coarsening_;
-  std::optional<UnitChange> own_; ///< what coarsening_ was made for
+  CoarseningOptions its_options_; ///< coarsening_'s
   mutable std::optional<Foam> foam_;
   mutable FoamRecord record_;
 };

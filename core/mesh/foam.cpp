@@ -30,7 +30,7 @@ double Foam::energy() const {
   return reference_tension() * total;
 }
 
-double Foam::mean_spacing() const {
+double Foam::mean_area() const {
   double total = 0;
   Index count = 0;
   for (const Bubble b : bubble_slots()) {
@@ -39,7 +39,11 @@ double Foam::mean_spacing() const {
       ++count;
     }
   }
-  return std::sqrt(total / std::max(count, Index{1}));
+  return total / std::max(count, Index{1});
+}
+
+double Foam::mean_spacing() const {
+  return std::sqrt(mean_area());
 }
 
 void Foam::clear(Index bubbles, Index films, Index junctions) {

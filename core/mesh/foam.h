@@ -41,6 +41,14 @@ struct End {
   friend bool operator==(const End&, const End&) = default;
 };
 
+/// How small a film or a bubble is when it gives way.
+struct Thresholds {
+  double t1_length = 0; ///< δ_T1, cm
+  double t2_area = 0;   ///< δ_T2, cm²
+
+  friend bool operator==(const Thresholds&, const Thresholds&) = default;
+};
+
 /// What is known about a foam as a whole.
 struct FoamRecord {
   Surroundings surroundings;
@@ -51,6 +59,8 @@ struct FoamRecord {
   std::int64_t t3_count = 0;  ///< T3s so far
   EquilibriumReport report;   ///< of the last equilibration
   std::optional<End> ended;   ///< of a run that ended with this foam
+  double time_step = 0;       ///< with which it coarsens, s; 0 if it has not begun to
+  Thresholds thresholds;      ///< of the last time step, or of the first that is to come
 
   friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };
@@ -77,6 +87,8 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
 
   /// Energy of the films Σ T·l, N; a wall has none.
   double energy() const;
+  /// Of the bubbles' targets, cm².
+  double mean_area() const;
   /// √(mean target area), the foam's own unit of length, cm.
   double mean_spacing() const;
 

@@ -83,6 +83,8 @@ FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
     result.ended->t2_area *= change.area();
     result.ended->t1_length *= change.length;
   }
+  result.thresholds.t1_length *= change.length;
+  result.thresholds.t2_area *= change.area();
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/thresholds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,13 +15,22 @@ void check(const ThresholdOptions& options) {
   require(options.alpha > 0, "Alpha", "positive", options.alpha);
 }
 
-Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options) {
-  if (!options.relative) {
-    return {options.t1_length, options.t2_area};
+Thresholds thresholds(double total_area, Index bubbles, Index junctions,
+                      const ThresholdOptions& options) {
+  switch (options.kind) {
+  case ThresholdKind::Relative: {
+    const double t1_length =
+        options.alpha * std::sqrt(2 * total_area / (std::numbers::pi * junctions));
+    return {t1_length, t1_length * t1_length};
   }
-  const double t1_length =
-      options.alpha * std::sqrt(2 * total_area / (std::numbers::pi * junctions));
-  return {t1_length, t1_length * t1_length};
+  case ThresholdKind::Automatic: {
+    const double mean_area = total_area / std::max(bubbles, Index{1});
+    return {kAutomatic * std::sqrt(mean_area), kAutomatic * mean_area};
+  }
+  case ThresholdKind::Absolute:
+    break;
+  }
+  return {options.t1_length, options.t2_area};
 }
 
 Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
@@ -30,7 +40,7 @@ Thresholds thresholds(const Foam& foam, const ThresholdOptions& options) {
       total_area += foam.target_area[b];
     }
   }
-  return thresholds(total_area, foam.junction_count(), options);
+  return thresholds(total_area, foam.bubble_count(), foam.junction_count(), options);
 }
 
 } // namespace foam

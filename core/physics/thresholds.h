@@ -7,15 +7,16 @@
 
 namespace foam {
 
-/// How small a film or a bubble is when it gives way, in the foam's units.
-struct Thresholds {
-  double t1_length = 0; ///< δ_T1, cm
-  double t2_area = 0;   ///< δ_T2, cm²
+/// Where thresholds come from.
+enum class ThresholdKind {
+  Absolute, ///< the two values (thesis 3.2.2)
+  Relative, ///< Weygand's, from alpha
+  Automatic ///< a small part of the bubbles' own size
 };
 
-/// The user's choice of thresholds (thesis 3.2.2).
+/// The user's choice of thresholds.
 struct ThresholdOptions {
-  bool relative = false;    ///< false: the two absolute values; true: Weygand's, from alpha
+  ThresholdKind kind = ThresholdKind::Automatic;
   double t1_length = 0.025; ///< cm, ≥ 0
   double t2_area = 0.05;    ///< cm², ≥ 0
   double alpha = 0.05;      ///< Weygand's α, > 0
@@ -26,13 +27,17 @@ struct ThresholdOptions {
 /// \throws FoamError for options out of range.
 void check(const ThresholdOptions& options);
 
-/// The thresholds in force for a foam. Relative ones follow D. Weygand, Y. Bréchet and J. Lépinoux,
-/// Phil. Mag. B 78 (1998) 329, as in the thesis (3.2.2): δ_T1 = α·√(2·A_total/(π·m)) for m
-/// junctions, δ_T2 = δ_T1².
+inline constexpr double kAutomatic = 0.01; // of √Ā and of Ā
+
+/// The thresholds in force for a foam of the mean target area Ā. Automatic ones are a hundredth of
+/// √Ā and of Ā. Relative ones follow D. Weygand, Y. Bréchet and J. Lépinoux, Phil.
+/// Mag. B 78 (1998) 329, as in the thesis (3.2.2): δ_T1 = α·√(2·A_total/(π·m)) for m junctions,
+/// δ_T2 = δ_T1².
 Thresholds thresholds(const Foam& foam, const ThresholdOptions& options);
 
-/// The same from A_total (cm²) and m.
-Thresholds thresholds(double total_area, Index junctions, const ThresholdOptions& options);
+/// The same from A_total (cm²), the number of bubbles, and m.
+Thresholds thresholds(double total_area, Index bubbles, Index junctions,
+                      const ThresholdOptions& options);
 
 namespace detail {
 
@@ -46,15 +51,17 @@ struct IsJunction {
 
 } // namespace detail
 
-/// The same for a foam on an executor (parallel/host.h), from A_total (cm²).
+/// The same for a foam on an executor (parallel/host.h), from A_total (cm²) and the number of
+/// bubbles.
 template <class Executor>
-Thresholds thresholds(Executor& executor, const FoamView& mesh, double total_area,
+Thresholds thresholds(Executor& executor, const FoamView& mesh, double total_area, Index bubbles,
                       const ThresholdOptions& options) {
   const Index junctions =
-      options.relative ? executor.reduce(mesh.junction_slots(), Index{0},
-                                         detail::IsJunction{const_view(mesh)}, parallel::Add{})
-                       : 0;
-  return thresholds(total_area, junctions, options);
+      options.kind == ThresholdKind::Relative
+          ? executor.reduce(mesh.junction_slots(), Index{0}, detail::IsJunction{const_view(mesh)},
+                            parallel::Add{})
+          : 0;
+  return thresholds(total_area, bubbles, junctions, options);
 }
 
 } // namespace foam

@@ -124,6 +124,7 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   perform_topological_operations(next, rules, options_);
   keep_targets_above(next, kLeastTarget * spacing * spacing);
   equilibrator_->equilibrate(next, limit.t1_length, aborted);
+  next.thresholds = limit;
   next.time += options_.time_step;
   foam_ = std::move(next);
   return true;

@@ -53,7 +53,8 @@ public:
     thesis::require_one_tension(mesh);
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
-    const Thresholds limit = thresholds(executor_, mesh, sums.target_area, options_.thresholds);
+    const Thresholds limit =
+        thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds);
     FrameResult result;
     result.limit = limit;
     diffuse(executor_, mesh, rate, sums, options_.time_step);

@@ -42,7 +42,7 @@ struct ScalingState {
 
 ScalingState coarsen_to_scaling_state(std::uint64_t seed) {
   ScalingState state;
-  auto coarsening = make_coarsening({});
+  auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(random_foam(2000, Boundary::Periodic, seed));
   const Foam& foam = coarsening->foam();
   const auto mean_area = [&] { return foam.surroundings.lattice.area() / foam.bubble_count(); };
@@ -107,7 +107,7 @@ TEST(LongRun, TwoThousandPeriodicBubblesReachTheScalingState) {
 }
 
 TEST(LongRun, TwoThousandFreeBubblesAThousandFrames) {
-  auto coarsening = make_coarsening({});
+  auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(random_foam(2000, Boundary::Free, 1));
   const auto begin = std::chrono::steady_clock::now();
   for (int frame = 1; frame <= 1000; ++frame) {

@@ -19,7 +19,7 @@ namespace {
 
 /// Thresholds so low that events happen within a millionth of the mean area of where they would be.
 CoarseningOptions fine_options(double time_step) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.time_step = time_step;
   options.thresholds.t1_length = 0.01;
   options.thresholds.t2_area = 0;
@@ -165,7 +165,7 @@ TEST(Coarsening, SecondMomentOfAreasOnATorus) {
 
 TEST(Coarsening, FortyFreeBubblesToTheLastTwo) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    CoarseningOptions options;
+    CoarseningOptions options = thesis_options();
     options.time_step = 1.0 / 120; // so short that no two of the last four vanish in one frame
     auto coarsening = make_coarsening(options);
     coarsening->restart(random_foam(40, Boundary::Free, seed));
@@ -189,7 +189,7 @@ TEST(Coarsening, ConservesTheContainersArea) {
   for (const Boundary boundary : {Boundary::Periodic, Boundary::Fixed}) {
     const Foam start = random_foam(100, boundary, 7);
     const double total = total_area(start);
-    auto coarsening = make_coarsening({});
+    auto coarsening = make_coarsening(thesis_options());
     coarsening->restart(start);
     for (int frame = 0; frame < 100; ++frame) {
       ASSERT_TRUE(coarsening->advance({}));
@@ -205,7 +205,7 @@ TEST(Coarsening, ConservesTheContainersArea) {
 }
 
 TEST(Coarsening, PinnedContactsDoNotStopIt) {
-  auto coarsening = make_coarsening({});
+  auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(random_foam(150, Boundary::Fixed, 1));
   for (int frame = 0; frame < 300; ++frame) {
     ASSERT_TRUE(coarsening->advance({}));
@@ -217,7 +217,7 @@ TEST(Coarsening, PinnedContactsDoNotStopIt) {
 }
 
 TEST(Coarsening, SlidesTwoSidedBubbles) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.two_sided_bubbles = TwoSidedBubbles::Slide;
   auto coarsening = make_coarsening(options);
   coarsening->restart(random_foam(60, Boundary::Free, 6));
@@ -228,8 +228,8 @@ TEST(Coarsening, SlidesTwoSidedBubbles) {
 }
 
 TEST(Coarsening, RelativeThresholds) {
-  CoarseningOptions options;
-  options.thresholds.relative = true;
+  CoarseningOptions options = thesis_options();
+  options.thresholds.kind = ThresholdKind::Relative;
   auto coarsening = make_coarsening(options);
   coarsening->restart(random_foam(100, Boundary::Periodic, 8));
   for (int frame = 0; frame < 60; ++frame) {
@@ -241,7 +241,7 @@ TEST(Coarsening, RelativeThresholds) {
 
 TEST(Coarsening, GoesOnWithThresholdsOfNothing) {
   for (const std::uint64_t seed : {1, 2}) {
-    CoarseningOptions options;
+    CoarseningOptions options = thesis_options();
     options.thresholds.t1_length = 0;
     options.thresholds.t2_area = 0;
     auto coarsening = make_coarsening(options);
@@ -255,7 +255,7 @@ TEST(Coarsening, GoesOnWithThresholdsOfNothing) {
 }
 
 TEST(Coarsening, EndsWhereThresholdsLeaveNothing) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.thresholds.t2_area = 1; // the mean area
   auto coarsening = make_coarsening(options);
   coarsening->restart(random_foam(10, Boundary::Free, 1));
@@ -274,7 +274,7 @@ bool same_bits(const Foam& a, const Foam& b) {
 
 TEST(Coarsening, SameInputSameBitsAlsoBesideOtherThreads) {
   const auto run = [](Foam* result) {
-    auto coarsening = make_coarsening({});
+    auto coarsening = make_coarsening(thesis_options());
     coarsening->restart(random_foam(100, Boundary::Free, 9));
     for (int frame = 0; frame < 20; ++frame) {
       coarsening->advance({});
@@ -297,14 +297,14 @@ TEST(Coarsening, SameInputSameBitsAlsoBesideOtherThreads) {
 
 TEST(Coarsening, RestartFromTheFilmsGivesTheSameBits) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
-    auto first = make_coarsening({});
+    auto first = make_coarsening(thesis_options());
     first->restart(random_foam(80, boundary, 10));
     for (int frame = 0; frame < 10; ++frame) {
       first->advance({});
     }
     const FilmSet written = film_set(first->foam());
     first->restart(foam_of(written));
-    auto second = make_coarsening({});
+    auto second = make_coarsening(thesis_options());
     second->restart(foam_of(written));
     for (int frame = 0; frame < 10; ++frame) {
       first->advance({});
@@ -315,7 +315,7 @@ TEST(Coarsening, RestartFromTheFilmsGivesTheSameBits) {
 }
 
 TEST(Coarsening, AbortLeavesTheFoamAsItWas) {
-  auto coarsening = make_coarsening({});
+  auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(random_foam(100, Boundary::Free, 11));
   coarsening->advance({});
   const Foam before = coarsening->foam();
@@ -327,7 +327,7 @@ TEST(Coarsening, AbortLeavesTheFoamAsItWas) {
 
 TEST(Coarsening, WallsStayStraight) {
   for (const std::uint64_t seed : {1, 4}) {
-    auto coarsening = make_coarsening({});
+    auto coarsening = make_coarsening(thesis_options());
     coarsening->restart(random_foam(150, Boundary::Fixed, seed));
     for (int frame = 0; frame < 200; ++frame) {
       ASSERT_TRUE(coarsening->advance({}));
@@ -343,7 +343,7 @@ TEST(Coarsening, WallsStayStraight) {
 
 /// Also where events at the walls upset the balance of gas there.
 TEST(Coarsening, InteriorBubblesOfAContainerFollowVonNeumannsLaw) {
-  auto coarsening = make_coarsening({});
+  auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(random_foam(100, Boundary::Fixed, 1));
   const Foam& foam = coarsening->foam();
   const double constant = von_neumann_constant(foam.surface_tension, 1);
@@ -382,7 +382,7 @@ Foam foam_of_own_tensions(Index bubbles, std::uint64_t seed) {
 class OwnTensions : public testing::TestWithParam<Stepping> {
 protected:
   static std::unique_ptr<Coarsening> coarsening_of(const Foam& foam, double time_step) {
-    CoarseningOptions options;
+    CoarseningOptions options = thesis_options();
     options.stepping = GetParam();
     options.time_step = time_step;
     auto coarsening = make_coarsening(options);
@@ -462,9 +462,9 @@ TEST(Coarsening, RejectsOptionsOutOfRange) {
     }
     return std::string();
   };
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.time_step = -0.5;
-  EXPECT_NE(message(options).find("TimeStep must be positive, but is -0.5"), std::string::npos);
+  EXPECT_NE(message(options).find("TimeStep must be at least 0, but is -0.5"), std::string::npos);
   options = {};
   options.permeability = -2;
   EXPECT_NE(message(options).find("-2"), std::string::npos);

@@ -31,6 +31,14 @@ inline void expect_equilibrium(const Foam& foam, const std::string& where = {}) 
   EXPECT_LT(max_area_error(foam), 1e-9) << where;
 }
 
+/// The thesis's time step and thresholds (Figure 4.19): for bubbles of about 1 cm².
+inline CoarseningOptions thesis_options() {
+  CoarseningOptions options;
+  options.time_step = 1.0 / 30;
+  options.thresholds.kind = ThresholdKind::Absolute;
+  return options;
+}
+
 inline void equilibrate(Foam& foam, double tolerance = 1e-9) {
   EquilibratorOptions options;
   options.tolerance = tolerance;
@@ -49,8 +57,8 @@ inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1
   BuildOptions options;
   options.boundary = boundary;
   if (boundary == Boundary::Periodic) {
-    const double side = std::ceil(std::sqrt(bubbles));
-    options.torus = Lattice::rectangle(0, side, 0, side);
+    const Vec2 corner = grid_corner(bubbles, 1);
+    options.torus = Lattice::rectangle(0, corner.x, 0, corner.y);
   }
   Foam foam = build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
   equilibrate(foam);

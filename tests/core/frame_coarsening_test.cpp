@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "construct/jittered_grid.h"
 #include "engines/engines.h"
+#include "foams.h"
 #include "hand_made.h"
 #include "thesis/frame_coarsening.h"
 #include "thesis/junction_step.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// The thesis's constants (Figure 4.19), with its own equilibrator.
 CoarseningOptions thesis_options() {
-  CoarseningOptions options;
+  CoarseningOptions options = test::thesis_options();
   options.equilibrator.kind = EquilibratorKind::Junction;
   return options;
 }

@@ -325,6 +325,7 @@ TEST(FromPoints, TorusIsTheSameWhereverItsPointsAreSeen) {
   for (std::size_t i = 0; i < points.size(); i += 3) {
     points[i] += {4.0 * static_cast<double>(i % 5), -2.0 * static_cast<double>(i % 7)};
   }
+  options.fold = true;
   const Foam wrapped = build_from_points(points, options);
   EXPECT_EQ(wrapped.junction_half, foam.junction_half);
   EXPECT_EQ(wrapped.film_wrap, foam.film_wrap);
@@ -341,6 +342,7 @@ TEST(FromPoints, RefusesPeriodsThatMakeNoTorus) {
   const auto points = jittered_grid(4, 1, 1, 1);
   const auto error_with = [&](const Lattice& torus) {
     auto options = with(Boundary::Periodic);
+    options.fold = true;
     options.torus = torus;
     return error_of(points, options);
   };
@@ -364,9 +366,26 @@ TEST(FromPoints, RefusesPeriodsThatMakeNoTorus) {
 TEST(FromPoints, RefusesAPointThatIsTooFarAway) {
   auto options = with(Boundary::Periodic);
   options.torus = Lattice::rectangle(0, 2, 0, 2);
+  options.fold = true;
   const std::vector<Vec2> points{{0.5, 0}, {1, 1}, {1.5, 1}, {0.5, 1e11}};
   EXPECT_EQ(error_of(points, options),
             "point 3 at (0.5, 1e+11) lies too many periods from the torus's cell");
+}
+
+TEST(FromPoints, RefusesATorusSmallerThanItsPointsUnlessTheyAreFolded) {
+  const auto points = jittered_grid(100, 1, 0, 1); // 9 by 9 across
+  auto options = with(Boundary::Periodic);
+  options.torus = Lattice::rectangle(0, 10, 0, 8.5);
+  EXPECT_EQ(error_of(points, options),
+            "the points extend over (9, 9), but the torus is only (10, 8.5)");
+  options.torus = Lattice{{}, {5, 1}, {-1, 5}};
+  EXPECT_EQ(error_of(points, options),
+            "the points cover an area of 81, but that of the torus is 26");
+  options.fold = true;
+  EXPECT_EQ(build_from_points(jittered_grid(100, 1, 1, 1), options).bubble_count(), 100);
+  options.fold = false;
+  options.torus = Lattice{{3, -40}, {10, 0}, {3, 10}}; // whose cell is no rectangle
+  EXPECT_EQ(build_from_points(points, options).bubble_count(), 100);
 }
 
 // Tori of any two periods.
@@ -395,8 +414,68 @@ std::vector<Vec2> random_points(const Lattice& torus, Index n) {
 
 Foam on_torus(std::span<const Vec2> points, const Lattice& torus) {
   auto options = with(Boundary::Periodic);
+  options.fold = true;
   options.torus = torus;
   return build_from_points(points, options);
+}
+
+/// How much larger bubbles at the seam of a torus are than the others.
+double seam_ratio(const Foam& foam) {
+  double seam = 0;
+  double other = 0;
+  int at_seam = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    bool crosses = false;
+    for_each_half(foam, b, [&](Half h) { crosses = crosses || foam.wrap(h) != Wrap{}; });
+    (crosses ? seam : other) += foam.area(b);
+    at_seam += crosses ? 1 : 0;
+  }
+  return seam / at_seam / (other / (foam.bubble_count() - at_seam));
+}
+
+/// On the torus that is found for points the seam is not seen: it is as on the torus that they were
+/// made for.
+TEST(FromPoints, FindsATorusWhoseSeamIsNotSeen) {
+  const Lattice torus = Lattice::rectangle(3, 23, -5, 15);
+  struct Found {
+    double seam = 0, area = 0;
+  };
+  const auto mean_of = [&](const auto& points_of) {
+    constexpr int kSeeds = 10;
+    Found mean;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      const std::vector<Vec2> points = points_of(seed);
+      const Foam found = build_from_points(points, with(Boundary::Periodic));
+      mean.seam += seam_ratio(found) / seam_ratio(on_torus(points, torus)) / kSeeds;
+      mean.area += found.surroundings.lattice.area() / torus.area() / kSeeds;
+    }
+    return mean;
+  };
+  const auto random = mean_of([&](int seed) {
+    Random numbers(static_cast<std::uint64_t>(seed));
+    std::vector<Vec2> points;
+    for (int i = 0; i < 400; ++i) {
+      const double x = numbers.uniform();
+      points.push_back(torus.origin + x * torus.first + numbers.uniform() * torus.second);
+    }
+    return points;
+  });
+  const auto jittered = [&](double jitter) {
+    return mean_of([&](int seed) {
+      auto points = jittered_grid(400, 1, jitter, static_cast<std::uint64_t>(seed));
+      for (Vec2& point : points) {
+        point += torus.origin;
+      }
+      return points;
+    });
+  };
+  EXPECT_NEAR(random.seam, 1, 0.12) << "the points' own number fluctuates";
+  EXPECT_NEAR(random.area, 1, 0.05);
+  const Found as_from_foam_points = jittered(1);
+  EXPECT_NEAR(as_from_foam_points.seam, 1, 0.03);
+  EXPECT_NEAR(as_from_foam_points.area, 1, 0.01);
+  EXPECT_NEAR(jittered(0.3).area, 1, 0.01);
+  EXPECT_NEAR(jittered(0).area, 1, 1e-12) << "the grid's own";
 }
 
 class AnyTorus : public testing::TestWithParam<Lattice> {};

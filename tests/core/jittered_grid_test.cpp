@@ -11,15 +11,39 @@ namespace foam {
 namespace {
 
 TEST(JitteredGrid, WithoutJitterIsTheCentresOfAGridRowByRow) {
-  const auto points = jittered_grid(7, 2, 0, 1); // three columns, the last row with one point
-  const std::vector<Vec2> expected{{1, 1}, {3, 1}, {5, 1}, {1, 3}, {3, 3}, {5, 3}, {1, 5}};
+  const auto points = jittered_grid(6, 2, 0, 1);
+  const std::vector<Vec2> expected{{1, 1}, {3, 1}, {5, 1}, {1, 3}, {3, 3}, {5, 3}};
   EXPECT_EQ(points, expected);
+  EXPECT_EQ(grid_corner(6, 2), (Vec2{6, 4}));
+}
+
+TEST(JitteredGrid, StretchesCellsWhereNotAllRowsAreFull) {
+  const auto points = jittered_grid(7, 3, 0, 1); // three rows of three, two and two
+  const std::vector<Vec2> expected{{1.5, 1.5}, {4.5, 1.5}, {7.5, 1.5}, {2.25, 4},
+                                   {6.75, 4},  {2.25, 6},  {6.75, 6}};
+  ASSERT_EQ(points.size(), expected.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(norm(points[i] - expected[i]), 0, 1e-14) << i;
+  }
+  EXPECT_NEAR(norm(grid_corner(7, 3) - Vec2{9, 7}), 0, 1e-14);
+}
+
+TEST(JitteredGrid, FillsARectangleWithASquareForEachPoint) {
+  for (const Index count : {1, 2, 3, 5, 10, 17, 50, 99, 2000, 4567}) {
+    const Vec2 corner = grid_corner(count, 0.5);
+    EXPECT_NEAR(corner.x * corner.y, 0.25 * count, 1e-9);
+    Vec2 mean;
+    for (const Vec2 p : jittered_grid(count, 0.5, 0, 1)) {
+      mean += (1.0 / count) * p;
+    }
+    EXPECT_NEAR(norm(mean - 0.5 * corner), 0, 1e-9) << count;
+  }
 }
 
 TEST(JitteredGrid, EachPointStaysInItsCell) {
   for (const double jitter : {0.25, 1.0}) {
-    const auto points = jittered_grid(2000, 0.5, jitter, 7);
-    ASSERT_EQ(points.size(), 2000u);
+    const auto points = jittered_grid(2025, 0.5, jitter, 7);
+    ASSERT_EQ(points.size(), 2025u);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec2 centre{0.5 * (static_cast<double>(i % 45) + 0.5),
                         0.5 * (static_cast<double>(i / 45) + 0.5)};

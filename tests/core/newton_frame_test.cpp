@@ -15,7 +15,7 @@ namespace foam::test {
 namespace {
 
 CoarseningOptions frames(double time_step = 1.0 / 30) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.time_step = time_step;
   options.stepping = Stepping::FixedSteps;
   return options;
@@ -51,6 +51,8 @@ struct Setting {
   ThresholdOptions thresholds;
   double time_step = 1.0 / 30;
 };
+
+const ThresholdOptions kThesis = thesis_options().thresholds;
 
 class NewtonFrames : public testing::TestWithParam<Setting> {};
 
@@ -95,13 +97,18 @@ TEST_P(NewtonFrames, AreEquilibriaThatKeepTheGas) {
 
 INSTANTIATE_TEST_SUITE_P(
     NewtonFrame, NewtonFrames,
-    testing::Values(Setting{Boundary::Free, {}}, Setting{Boundary::Periodic, {}},
-                    Setting{Boundary::Fixed, {}}, Setting{Boundary::Free, {.relative = true}},
-                    Setting{Boundary::Periodic, {.relative = true}},
-                    Setting{Boundary::Fixed, {.relative = true}},
-                    Setting{Boundary::Periodic, {.t1_length = 0, .t2_area = 0}},
-                    Setting{Boundary::Fixed, {.t1_length = 0, .t2_area = 0}},
-                    Setting{Boundary::Periodic, {.t1_length = 0.2, .t2_area = 0.3}, 1.0 / 10}));
+    testing::Values(Setting{Boundary::Free, kThesis}, Setting{Boundary::Periodic, kThesis},
+                    Setting{Boundary::Fixed, kThesis}, Setting{Boundary::Periodic, {}},
+                    Setting{Boundary::Free, {.kind = ThresholdKind::Relative}},
+                    Setting{Boundary::Periodic, {.kind = ThresholdKind::Relative}},
+                    Setting{Boundary::Fixed, {.kind = ThresholdKind::Relative}},
+                    Setting{Boundary::Periodic,
+                            {.kind = ThresholdKind::Absolute, .t1_length = 0, .t2_area = 0}},
+                    Setting{Boundary::Fixed,
+                            {.kind = ThresholdKind::Absolute, .t1_length = 0, .t2_area = 0}},
+                    Setting{Boundary::Periodic,
+                            {.kind = ThresholdKind::Absolute, .t1_length = 0.2, .t2_area = 0.3},
+                            1.0 / 10}));
 
 /// Both do the same as their steps get shorter: the difference is of the first order in the step.
 TEST(NewtonFrame, GoesWhereStepsFromEventToEventGo) {

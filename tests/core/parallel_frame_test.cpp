@@ -24,10 +24,12 @@ struct Setting {
 };
 
 CoarseningOptions options_of(const Setting& setting) {
-  CoarseningOptions options;
+  CoarseningOptions options = test::thesis_options();
   options.two_sided_bubbles = setting.two_sided;
   options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
-  options.thresholds.relative = setting.relative;
+  if (setting.relative) {
+    options.thresholds.kind = ThresholdKind::Relative;
+  }
   options.equilibrator.kind = EquilibratorKind::Junction;
   options.equilibrator.maximum_iterations = 32;
   options.equilibrator.junction.energy_decay = setting.energy_decay;
@@ -41,7 +43,7 @@ class ParallelFrames : public testing::TestWithParam<Setting> {};
 /// The serial frame, written for one foam in one memory, is an independent account of the same.
 TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
   const CoarseningOptions options = options_of(GetParam());
-  Foam foam = test::jittered_foam(GetParam().boundary, 60, 3);
+  Foam foam = test::jittered_foam(GetParam().boundary, 64, 3);
   FrameCoarsening serial(options, make_equilibrator(options.equilibrator));
   serial.restart(foam);
   Host host;

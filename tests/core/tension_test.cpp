@@ -333,7 +333,7 @@ TEST_P(AnyFoam, IsTheSameIfAllAreGivenWhatTheyHave) {
 }
 
 CoarseningOptions stepping_by(Stepping stepping) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.stepping = stepping;
   return options;
 }
@@ -417,7 +417,7 @@ TEST_P(AnyStepping, FilmsKeepTheirTensions) {
   equilibrate(start);
   const auto coarsening = make_coarsening(stepping_by(GetParam()));
   coarsening->restart(start);
-  for (int frame = 0; frame < 20; ++frame) {
+  for (int frame = 0; frame < 40; ++frame) {
     ASSERT_TRUE(coarsening->advance({}));
   }
   EXPECT_GT(coarsening->foam().t1_count, 5);

@@ -114,7 +114,7 @@ TEST_P(AnyTorus, IsTheSameInAnyBasis) {
 
 /// Coarsens a foam in two bases.
 void expect_to_coarsen_alike(const Foam& foam, const Basis& basis, Stepping stepping, int frames) {
-  CoarseningOptions options;
+  CoarseningOptions options = thesis_options();
   options.stepping = stepping;
   const auto here = make_coarsening(options);
   const auto there = make_coarsening(options);
@@ -257,7 +257,7 @@ TEST_P(AnyTorus, FixedStepsGoWhereEventsGo) {
   Foam start = described_by(disordered(GetParam(), 8, 3), kBases[0]);
   equilibrate(start, 1e-11);
   const auto after_a_frame = [&](Stepping stepping) {
-    CoarseningOptions options;
+    CoarseningOptions options = thesis_options();
     options.stepping = stepping;
     options.time_step = 0.01;
     options.thresholds.t1_length = 0;
@@ -281,7 +281,7 @@ TEST_P(AnyTorus, BubblesAreShownInOnePieceInTheCell) {
   constexpr double kChordError = 1e-3;
   Foam start = disordered(GetParam(), 7);
   equilibrate(start);
-  const auto coarsening = make_coarsening({});
+  const auto coarsening = make_coarsening(thesis_options());
   coarsening->restart(start);
   for (int frame = 0; frame < 30; ++frame) {
     ASSERT_TRUE(coarsening->advance({}));

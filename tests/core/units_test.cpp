@@ -32,8 +32,8 @@ BuildOptions build_options(Boundary boundary, Index bubbles, const Scale& scale)
   options.boundary = boundary;
   options.surface_tension = kTension * scale.tension;
   if (boundary == Boundary::Periodic) {
-    const double side = scale.length * std::sqrt(bubbles);
-    options.torus = Lattice{scale.length * scale.shift, {side, 0}, {0, side}};
+    const Vec2 corner = grid_corner(bubbles, scale.length);
+    options.torus = Lattice{scale.length * scale.shift, {corner.x, 0}, {0, corner.y}};
   }
   return options;
 }
@@ -51,7 +51,7 @@ Foam scaled_foam(Boundary boundary, Index bubbles, std::uint64_t seed, const Sca
 
 /// In which the foam of scale 1 loses about a twentieth of its bubbles in 20 frames.
 CoarseningOptions coarsening_options(Stepping stepping, const Scale& scale) {
-  CoarseningOptions options;
+  CoarseningOptions options = test::thesis_options();
   options.stepping = stepping;
   options.time_step = scale.length * scale.length / scale.tension / 30;
   options.thresholds.t1_length = 0.025 * scale.length;

@@ -272,8 +272,11 @@ void sliding() {
   EXPECT_NEAR(largest_difference(fetched.film_angle, foam.film_angle), 0, 1e-9);
 }
 
+/// The thesis's time step and thresholds (Figure 4.19).
 CoarseningOptions options_on(Device device) {
   CoarseningOptions options;
+  options.time_step = 1.0 / 30;
+  options.thresholds.kind = ThresholdKind::Absolute;
   options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.stepping = Stepping::FixedSteps;
   options.equilibrator.kind = EquilibratorKind::Junction;
@@ -296,7 +299,7 @@ void frames() {
       const auto on = [&](Device device) {
         CoarseningOptions options = options_on(device);
         options.two_sided_bubbles = two_sided;
-        options.thresholds.relative = relative;
+        options.thresholds.kind = relative ? ThresholdKind::Relative : ThresholdKind::Absolute;
         return coarsened(options, disordered(20), 10);
       };
       const Foam there = on(Device::CUDA);

@@ -118,8 +118,11 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   return 1;
 }
 
-int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                        vtkInformationVector*) {
+int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                                        vtkInformationVector* outputs) {
+  if (foam::filters::is_first_piece(request, outputs)) {
+    foam::filters::request_whole(inputs[0]->GetInformationObject(0));
+  }
   RequestFirstTimeStep(inputs[0]->GetInformationObject(0));
   return 1;
 }

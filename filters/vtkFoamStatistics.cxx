@@ -64,6 +64,14 @@ int vtkFoamStatistics::FillInputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
+int vtkFoamStatistics::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                                           vtkInformationVector* outputs) {
+  if (foam::filters::is_first_piece(request, outputs)) {
+    foam::filters::request_whole(inputs[0]->GetInformationObject(0));
+  }
+  return 1;
+}
+
 int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                    vtkInformationVector* outputs) {
   // The pipeline has given the outputs the films' field data, which are no part of the tables.

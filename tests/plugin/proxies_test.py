@@ -115,6 +115,26 @@ class Proxies(unittest.TestCase):
             self.assertTrue(domain.GetMinimumExists(0), key)
             self.assertGreater(domain.GetMinimum(0), 0, key)
 
+    def test_inputs_that_make_no_sense_are_greyed_out(self):
+        coarsen, points = self.proxies["FoamCoarsen"], self.proxies["FoamPoints"]
+        coarsen.UpdatePipeline()
+        bubbles = servermanager.OutputPort(coarsen, 1)
+        centres = simple.CellCenters(Input=bubbles, VertexCells=1)
+        inputs = {"points": points, "sphere": simple.Sphere(), "films": coarsen, "bubbles": bubbles,
+                  "centres": centres, "lines": simple.Line()}
+        for name, accepted in (("FoamFromPoints", {"points", "sphere", "centres", "lines"}), ("FoamCoarsen", {"films"}),
+                               ("FoamStatistics", {"films"})):
+            prop = self.proxies[name].GetProperty("Input").SMProperty
+            found = set()
+            for kind, source in inputs.items():
+                source.UpdatePipeline()
+                prop.RemoveAllUncheckedProxies()
+                prop.AddUncheckedInputConnection(source.SMProxy, source.Port)
+                if prop.IsInDomains():
+                    found.add(kind)
+            prop.RemoveAllUncheckedProxies()
+            self.assertEqual(found, accepted, name)
+
     def test_help(self):
         """Python's help tells of every property."""
         for name, proxy in self.proxies.items():

@@ -94,12 +94,13 @@ OwnUnitsCoarsening::OwnUnitsCoarsening(const CoarseningOptions& options, Make ma
 
 void OwnUnitsCoarsening::restart(Foam foam) {
   const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
-  if (own != own_) {
-    coarsening_ = make_(in_units(options_, own));
+  auto coarsening = own == own_ ? nullptr : make_(in_units(options_, own));
+  change_units(foam, own);
+  (coarsening ? *coarsening : *coarsening_).restart(std::move(foam));
+  if (coarsening) {
+    coarsening_ = std::move(coarsening);
     own_ = own;
   }
-  change_units(foam, own);
-  coarsening_->restart(std::move(foam));
   foam_.reset();
 }
 

@@ -44,9 +44,7 @@ class Pipeline(unittest.TestCase):
         points = FoamPoints(NumberOfPoints=60)
         self.foam = FoamFromPoints(Input=points, Boundary="Periodic")
         self.coarsen = FoamCoarsen(Input=self.foam, NumberOfFrames=25)
-        self.expected = [0.0]
-        for _ in range(25):
-            self.expected.append(self.expected[-1] + 1 / 30)
+        self.expected = [k * (1 / 30) for k in range(26)]
         self.addCleanup(simple.ResetSession)
 
     def test_time_steps(self):
@@ -100,8 +98,15 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(film_bits(fetch(resumed, time=self.expected[k])),
                              film_bits(fetch(self.coarsen, time=self.expected[k])))
 
-        # A series is taken at its first time, another time through ForceTime.
-        first = FoamCoarsen(Input=reader, NumberOfFrames=25)
+        # A series is taken at its last time or its first, at another through ForceTime.
+        last = FoamCoarsen(Input=reader, NumberOfFrames=5)
+        last.UpdatePipelineInformation()
+        self.assertEqual((list(last.StartTime), last.TimestepValues[0]), ([self.expected[25]], self.expected[25]))
+        self.assertEqual(film_bits(fetch(last, time=self.expected[25])),
+                         film_bits(fetch(self.coarsen, time=self.expected[25])))
+        first = FoamCoarsen(Input=reader, StartFrom="First", NumberOfFrames=25)
+        self.assertEqual(list(first.StartTime), [0])
+        self.assertEqual(list(resumed.StartTime), [self.expected[20]])
         self.assertEqual(film_bits(fetch(first, time=self.expected[21])),
                          film_bits(fetch(self.coarsen, time=self.expected[21])))
         forced = simple.ForceTime(Input=reader, ForcedTime=reader.TimestepValues[20])

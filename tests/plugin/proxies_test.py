@@ -25,8 +25,8 @@ EQUILIBRATOR_CHOICES = {
 PROXIES = {
     "FoamPoints": {"NumberOfPoints", "Spacing", "Jitter", "Seed"},
     "FoamFromPoints": {"Boundary", "PeriodicBounds", "PeriodVectors", "TargetAreas", "SurfaceTension", "FinSize",
-                       "Equilibrate", *EQUILIBRATOR},
-    "FoamCoarsen": {"TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area", "Thresholds", "Alpha",
+                       "FitAreas", "Equilibrate", *EQUILIBRATOR},
+    "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area", "Thresholds", "Alpha",
                     "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary"},
@@ -34,14 +34,15 @@ PROXIES = {
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
-    "FoamCoarsen": {"Input", "TimestepValues"}, "FoamStatistics": {"Input"},
+    "FoamCoarsen": {"Input", "TimestepValues", "StartTime"}, "FoamStatistics": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
     "FoamPoints": {},
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
-    "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
+    "FoamCoarsen": {"StartFrom": ["First", "Last"], "TargetAreas": ["FromFilms", "Measured"],
+                    "Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
                     "Stepping": ["Events", "FixedSteps"],
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},

@@ -18,6 +18,7 @@
 #include "FilmReading.h"
 #include "Message.h"
 #include "StatisticsTables.h"
+#include "equilibrium/equilibrator.h"
 #include "statistics/ensemble.h"
 #include "statistics/statistics.h"
 
@@ -51,7 +52,8 @@ void EnsembleSample::add_member(vtkDataObject* member, bool include_boundary) {
     if (films->GetNumberOfCells() == 0) {
       return;
     }
-    const Foam foam = read_foam(films);
+    Foam foam = read_foam(films);
+    foam.report = confirmed(foam.report, foam, coordinate_rounding(films));
     const auto figures = statistics(foam, include_boundary);
     vtkNew<vtkTable> summary;
     vtkNew<vtkTable> by_sides;

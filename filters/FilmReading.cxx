@@ -25,6 +25,9 @@ namespace {
 /// Integers up to here survive as double.
 constexpr double kLargestInteger = 9007199254740992.0;
 
+/// Largest difference in z, relative to the extents in x and y.
+constexpr double kPlaneTolerance = 1e-9;
+
 /// A position is a junction's image if it lies this close to it, in periods.
 constexpr double kImageTolerance = 1e-6;
 
@@ -198,9 +201,12 @@ Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film) {
     return std::abs(n - std::round(n)) < kImageTolerance && std::abs(n) < 1e6;
   };
   if (!(periodic ? whole(count.x) && whole(count.y) : image == place)) {
-    not_a_foam("film ", film, " ends in (", image.x, ", ", image.y, "), but junction ", junction,
-               " lies in (", place.x, ", ", place.y, ")",
-               periodic ? ", not whole periods away" : "");
+    not_a_foam(
+        "film ", film, " ends in (", image.x, ", ", image.y, "), but junction ", junction,
+        " lies in (", place.x, ", ", place.y, ")",
+        periodic
+            ? ", not whole periods away: the films do not fit their torus; were they transformed?"
+            : "");
   }
   return {static_cast<Index>(std::round(count.x)), static_cast<Index>(std::round(count.y))};
 }
@@ -276,13 +282,54 @@ double value_or_zero(vtkPolyData* films, const char* name) {
   return std::isfinite(value) ? value : 0;
 }
 
+/// In words, what is not films.
+std::string what_it_is(vtkPolyData* data) {
+  if (!data || data->GetNumberOfPoints() == 0) {
+    return "is empty: was the file read completely, is there an error before?";
+  }
+  const vtkIdType polygons = data->GetNumberOfPolys() + data->GetNumberOfStrips();
+  if (polygons > 0 && data->GetCellData()->HasArray("BubbleId")) {
+    return message("is the ", polygons, " bubbles of a foam");
+  }
+  return polygons > 0 ? message("is a surface of ", polygons, " polygons")
+                      : message("is ", data->GetNumberOfPoints(), " points");
+}
+
+constexpr const char* kWanted = "what is wanted are films, the first output of FoamFromPoints or "
+                                "FoamCoarsen or a file of them";
+
+/// Films that were turned out of their plane would be a foam of another shape.
+void check_plane(vtkPolyData* films) {
+  double bounds[6];
+  films->GetBounds(bounds);
+  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  if (bounds[5] - bounds[4] > kPlaneTolerance * width) {
+    not_a_foam("its points lie between z = ", bounds[4], " and ", bounds[5],
+               ", not in a plane of constant z");
+  }
+}
+
+/// \throws FoamError for a torus whose bubbles do not cover its cell once, as one that was scaled
+/// by a whole number does not.
+void check_cover(const Foam& foam, double covered) {
+  const double cell = foam.surroundings.lattice.area();
+  if (foam.surroundings.periodic() && !(std::abs(covered - cell) <= kImageTolerance * cell)) {
+    not_a_foam("its bubbles cover ", covered, ", but its torus has an area of ", cell,
+               ": the films do not fit their torus; were they transformed?");
+  }
+}
+
 } // namespace
 
 FilmSet read_films(vtkPolyData* films) {
   if (!films || films->GetNumberOfPoints() == 0 || films->GetNumberOfLines() == 0) {
-    fail("the input has no films; was the file read completely?");
+    fail("the input has no films, but ", what_it_is(films), "; ", kWanted);
   }
   vtkFieldData* data = films->GetFieldData();
+  if (!data->HasArray("FormatVersion") && !films->GetCellData()->HasArray("LeftBubble")) {
+    fail("the input is not a foam: its ", films->GetNumberOfLines(),
+         " lines have no arrays of films, FormatVersion is missing, for one; ", kWanted);
+  }
   const auto version = single_integer(data, "FormatVersion", -kLargestInteger, kLargestInteger);
   if (version < 1 || version > kFormatVersion) {
     not_a_foam("its FormatVersion is ", version, ", and only 1 to ", kFormatVersion, " are known");
@@ -294,6 +341,7 @@ FilmSet read_films(vtkPolyData* films) {
   if (!films->GetLines()->IsValid()) {
     not_a_foam("the offsets of its polylines are inconsistent");
   }
+  check_plane(films);
   FilmSet set;
   read_state(data, set);
   const auto junction_of = read_junction_ids(films);
@@ -306,12 +354,15 @@ FilmSet read_films(vtkPolyData* films) {
 
 Foam checked_foam(const FilmSet& films) {
   Foam foam = foam_of(films);
+  double total = 0;
   for (const Bubble b : foam.bubble_slots()) {
     const double area = foam.area(b);
     if (!(area > 0)) {
       not_a_foam("the area of bubble ", foam.bubble_id[b], " is ", area);
     }
+    total += area;
   }
+  check_cover(foam, total);
   return foam;
 }
 
@@ -324,7 +375,30 @@ Foam read_foam(vtkPolyData* films) {
   if (!(total > 0)) {
     not_a_foam("the area of its bubbles is ", total);
   }
+  check_cover(foam, total);
   return foam;
+}
+
+double coordinate_rounding(vtkPolyData* films) {
+  const bool single_precision = films->GetPoints()->GetDataType() == VTK_FLOAT;
+  double bounds[6];
+  films->GetBounds(bounds);
+  double farthest = 0;
+  for (int i = 0; i < 4; ++i) {
+    farthest = std::max(farthest, std::abs(bounds[i]));
+  }
+  return farthest * (single_precision ? double{std::numeric_limits<float>::epsilon()}
+                                      : std::numeric_limits<double>::epsilon());
+}
+
+std::string doubt(const EquilibriumReport& given, const EquilibriumReport& found) {
+  if (!given.converged || found.converged) {
+    return {};
+  }
+  return message("The films are said to be in equilibrium, but are not: angles are off by up to ",
+                 found.max_angle_error, " rad, areas by up to ", found.max_area_error,
+                 " of their targets, the largest residual is ", found.residual,
+                 ". Were they changed, by a Transform, say?");
 }
 
 double read_time(vtkPolyData* films) {

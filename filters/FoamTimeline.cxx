@@ -2,6 +2,7 @@
 #include "FoamTimeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -95,19 +96,24 @@ bool FoamTimeline::advance(const AbortCheck& aborted) {
     interrupted_ = false;
     return false;
   }
-  const int next = frame_ + 1;
-  if (next % settings_.keyframe_interval == 0) {
+  ++frame_;
+  if (frame_ % settings_.keyframe_interval == 0) {
     FilmSet films = film_set(coarsening_->foam());
-    begin_at(next, films);
-    keyframes_.insert(next, std::move(films));
+    films.time = time();
+    begin_at(frame_, films);
+    keyframes_.insert(frame_, std::move(films));
   }
-  frame_ = next;
   interrupted_ = false;
   return true;
 }
 
+double FoamTimeline::time() const {
+  return frame_time(start_.time, settings_.coarsening.time_step, frame_);
+}
+
 FoamRecord FoamTimeline::record() const {
   FoamRecord record = coarsening_->record();
+  record.time = time();
   record.ended = frame_ == end_ ? why_ : std::nullopt;
   return record;
 }
@@ -118,11 +124,15 @@ SampledFoam FoamTimeline::sample(double chord_error) const {
   return sampled;
 }
 
+double frame_time(double start, double time_step, int frame) {
+  const double first = std::round(start / time_step);
+  return first * time_step == start ? (first + frame) * time_step : start + frame * time_step;
+}
+
 std::vector<double> frame_times(double start, double time_step, int count) {
-  std::vector<double> times{start};
-  times.reserve(static_cast<std::size_t>(count) + 1);
-  for (int k = 0; k < count; ++k) {
-    times.push_back(times.back() + time_step);
+  std::vector<double> times(static_cast<std::size_t>(count) + 1);
+  for (int k = 0; k <= count; ++k) {
+    times[static_cast<std::size_t>(k)] = frame_time(start, time_step, k);
   }
   return times;
 }

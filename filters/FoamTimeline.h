@@ -58,11 +58,14 @@ public:
   void limit_memory(std::size_t bytes) { keyframes_.set_limit(bytes); }
 
   /// Makes a frame the current one, or the last one, if the foam ends before.
-  /// \throws Aborted; the current frame is then the last that was complete.
+  /// \throws Aborted, or what else went wrong; the current frame is then the last that was
+  /// complete.
   void go_to(int frame, const AbortCheck& aborted, const Reached& reached);
 
   /// Time of frame 0, s.
   double start_time() const { return start_.time; }
+  /// Of the target areas in frame 0, cm².
+  double start_mean_area() const { return foam_of(start_).mean_area(); }
   /// Δt, s, the automatic one if that is asked for.
   double time_step() const { return coarsening_->record().time_step; }
   int frame() const { return frame_; }
@@ -74,6 +77,7 @@ public:
   std::optional<int> end() const { return end_; }
 
 private:
+  double time() const;
   void begin_at(int frame, const FilmSet& films);
   void begin_at_keyframe(int frame);
   /// \returns false if the foam cannot go on.
@@ -89,8 +93,11 @@ private:
   std::optional<End> why_; ///< the foam cannot go on from there
 };
 
-/// The times (s) of frames 0 … count, each the sum of the one before and Δt, as a run that is
-/// resumed adds them.
+/// The time (s) of a frame, t₀ + k·Δt. Where t₀ is a multiple of Δt it is one as well, so that a
+/// run that is resumed has the times of one that was not stopped.
+double frame_time(double start, double time_step, int frame);
+
+/// The times (s) of frames 0 … count.
 std::vector<double> frame_times(double start, double time_step, int count);
 
 } // namespace foam::filters

@@ -47,19 +47,29 @@ int write_to_disk(int descriptor, std::string_view content) {
 
 } // namespace
 
-void write_whole(const std::filesystem::path& path, std::string_view content) {
-  auto unfinished = path;
-  unfinished.replace_filename(".unfinished-" + path.filename().string());
+std::filesystem::path unfinished(const std::filesystem::path& path) {
+  return path.parent_path() / (".unfinished-" + path.filename().string());
+}
+
+void write_unfinished(const std::filesystem::path& path, std::string_view content) {
+  const auto name = unfinished(path);
   int cause = 0;
   {
-    const Descriptor file(unfinished, O_WRONLY | O_CREAT | O_TRUNC);
+    const Descriptor file(name, O_WRONLY | O_CREAT | O_TRUNC);
     cause = write_to_disk(file, content);
   }
-  if (cause == 0 && ::rename(unfinished.c_str(), path.c_str()) != 0) {
-    cause = errno;
-  }
   if (cause != 0) {
-    ::unlink(unfinished.c_str());
+    ::unlink(name.c_str());
+    fail_to_write(path, cause);
+  }
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view content) {
+  write_unfinished(path, content);
+  const auto name = unfinished(path);
+  if (::rename(name.c_str(), path.c_str()) != 0) {
+    const int cause = errno;
+    ::unlink(name.c_str());
     fail_to_write(path, cause);
   }
   const auto folder = path.parent_path();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "Message.h"
 #include "PipelineRequest.h"
 #include "coarsening/end.h"
+#include "equilibrium/equilibrator.h"
 
 vtkStandardNewMacro(vtkFoamCoarsen);
 
@@ -29,12 +31,13 @@ namespace {
 /// rounding may take from a time on its way through a user interface.
 constexpr double TIME_TOLERANCE = 1e-6;
 
-/// Asks the input for its first time step: the frames' times are made here, not upstream.
-void RequestFirstTimeStep(vtkInformation* input) {
-  if (input->Length(SDDP::TIME_STEPS()) > 0) {
-    input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
-  } else {
-    input->Remove(SDDP::UPDATE_TIME_STEP());
+/// Announces the times of the frames.
+void Offer(const std::vector<double>& times, vtkInformationVector* outputs) {
+  const double range[2] = {times.front(), times.back()};
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(SDDP::TIME_RANGE(), range, 2);
   }
 }
 
@@ -62,6 +65,7 @@ struct vtkFoamCoarsen::Simulation {
 
   foam::filters::FoamTimeline Timeline;
   vtkMTimeType InputTime = 0; ///< the input is as it was when it was read
+  int TargetAreas = FromFilms;
   int CheckedFrame = -1;
   bool EndTold = false;
 };
@@ -94,67 +98,96 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   // The frames begin at the time that the input's data carry, which no information tells before
   // they are there: a .vtp that is read back alone, to resume a run, has it in its field data. So
   // the input is brought up to date here; that is work which the request for data would do anyway.
-  RequestFirstTimeStep(inputs[0]->GetInformationObject(0));
+  this->RequestStart(inputs[0]->GetInformationObject(0));
   int upstreamPort = 0;
   vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
   upstream->Update(upstreamPort);
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   const double start = foam::filters::read_time(input);
+  this->StartTime = start;
 
-  const double timeStep = foam::filters::read_time_step(input, this->Options->coarsening);
+  const double timeStep = this->ReadTimeStep(input);
   const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
   auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
   if (this->RunIsOf(this->GetSettings(), input)) {
-    if (const auto end = this->Run->Timeline.end()) { // what comes after it is not offered
-      times.resize(std::min(times.size(), static_cast<std::size_t>(*end) + 1));
-    }
+    this->LeaveOutAfterEnd(times);
   }
-  double range[2] = {times.front(), times.back()};
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
-    vtkInformation* output = outputs->GetInformationObject(port);
-    output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    output->Set(SDDP::TIME_RANGE(), range, 2);
-  }
+  Offer(times, outputs);
   return 1;
 }
 
-int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                        vtkInformationVector*) {
-  RequestFirstTimeStep(inputs[0]->GetInformationObject(0));
+int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                                        vtkInformationVector* outputs) {
+  if (foam::filters::is_first_piece(request, outputs)) {
+    foam::filters::request_whole(inputs[0]->GetInformationObject(0));
+  }
+  this->RequestStart(inputs[0]->GetInformationObject(0));
   return 1;
+}
+
+/// Asks the input for the time step to begin with: the frames' times are made here, not upstream.
+void vtkFoamCoarsen::RequestStart(vtkInformation* input) const {
+  const int count = input->Length(SDDP::TIME_STEPS());
+  if (count > 0) {
+    const int start = this->StartFrom == First ? 0 : count - 1;
+    input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[start]);
+  } else {
+    input->Remove(SDDP::UPDATE_TIME_STEP());
+  }
 }
 
 void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** inputs,
                               vtkInformationVector* outputs) {
-  try {
-    this->PrepareSimulation(inputs);
-    auto& timeline = this->Run->Timeline;
-    const double timeStep = timeline.time_step();
-    const auto times =
-        foam::filters::frame_times(timeline.start_time(), timeStep, this->NumberOfFrames);
-    this->AdvanceTo(
-        RequestedFrame(times, timeStep, foam::filters::requested_output(request, outputs)));
-    this->WriteOutputs(timeline.sample(this->GetChordError()), outputs);
-    for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
-      vtkPolyData::GetData(outputs, i)
-          ->GetInformation()
-          ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.record().time);
-    }
-  } catch (...) {
-    this->Run.reset();
-    throw;
+  this->PrepareSimulation(inputs);
+  auto& timeline = this->Run->Timeline;
+  const double timeStep = timeline.time_step();
+  auto times = foam::filters::frame_times(timeline.start_time(), timeStep, this->NumberOfFrames);
+  this->AdvanceTo(
+      RequestedFrame(times, timeStep, foam::filters::requested_output(request, outputs)));
+  if (this->LeaveOutAfterEnd(times)) {
+    Offer(times, outputs);
   }
+  this->WriteOutputs(timeline.sample(this->GetChordError()), outputs);
+  for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
+    vtkPolyData::GetData(outputs, i)
+        ->GetInformation()
+        ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.record().time);
+  }
+}
+
+/// \returns whether there is an end
+bool vtkFoamCoarsen::LeaveOutAfterEnd(std::vector<double>& times) const {
+  const auto end = this->Run->Timeline.end();
+  if (end) {
+    times.resize(std::min(times.size(), static_cast<std::size_t>(*end) + 1));
+  }
+  return end.has_value();
 }
 
 bool vtkFoamCoarsen::RunIsOf(const Settings& settings, vtkPolyData* input) const {
   return this->Run && this->Run->InputTime == input->GetMTime() &&
-         this->Run->Timeline.is_of(settings);
+         this->Run->TargetAreas == this->TargetAreas && this->Run->Timeline.is_of(settings);
 }
 
 vtkFoamCoarsen::Settings vtkFoamCoarsen::GetSettings() const {
   Settings settings = *this->Options;
   settings.coarsening.equilibrator = this->GetEquilibratorOptions();
   return settings;
+}
+
+/// That with which the input is to coarsen, s; 0 if it does not follow from it.
+double vtkFoamCoarsen::ReadTimeStep(vtkPolyData* input) const {
+  const foam::CoarseningOptions& options = this->Options->coarsening;
+  if (this->TargetAreas == FromFilms || options.time_step > 0) {
+    return foam::filters::read_time_step(input, options);
+  }
+  try {
+    foam::FilmSet films = foam::filters::read_films(input);
+    this->Measure(films, input);
+    return foam::time_step(options, films, foam::foam_of(films).mean_area());
+  } catch (const std::exception&) {
+    return 0; // the request for data tells
+  }
 }
 
 void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
@@ -169,9 +202,9 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   if (!this->RunIsOf(settings, input)) {
     auto films = foam::filters::read_films(input);
+    const std::string doubt = this->Measure(films, input);
     if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
       this->Run.reset();
-      foam::filters::checked_foam(films);
       auto run = std::make_unique<Simulation>(std::move(films), settings);
       const double start = run->Timeline.start_time();
       const double timeStep = run->Timeline.time_step();
@@ -179,15 +212,41 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
         foam::filters::fail("TimeStep ", timeStep, " s leads to no later time than ", start, " s");
       }
       this->Run = std::move(run);
-      this->WarnIfNotConverged();
+      this->WarnOfLargeThresholds();
+      if (doubt.empty()) {
+        this->WarnIfNotConverged();
+      } else {
+        this->Run->CheckedFrame = 0;
+        vtkWarningMacro(<< doubt
+                        << (this->TargetAreas == FromFilms
+                                ? " TargetAreas Measured takes the areas that are there as targets."
+                                : ""));
+      }
       if (const std::string end = foam::filters::read_end(input); !end.empty()) {
         vtkWarningMacro("The input is the last foam of a run that ended: "
                         << end << ". It is tried again from there.");
       }
     }
     this->Run->InputTime = input->GetMTime();
+    this->Run->TargetAreas = this->TargetAreas;
   }
   this->Run->Timeline.limit_memory(static_cast<std::size_t>(this->KeyframeMemory) << 20);
+}
+
+/// Finds out what films are like. \returns what is wrong with what they say of themselves
+std::string vtkFoamCoarsen::Measure(foam::FilmSet& films, vtkPolyData* input) const {
+  foam::Foam foam = foam::filters::checked_foam(films);
+  if (this->TargetAreas == Measured) {
+    for (const foam::Bubble b : foam.bubble_slots()) {
+      foam.target_area[b] = foam.area(b);
+      films.bubbles[b.place()].target_area = foam.target_area[b];
+    }
+    films.time_step = 0; // those that went with other areas
+    films.thresholds = {};
+  }
+  const foam::EquilibriumReport given = films.report;
+  films.report = foam::confirmed(given, foam, foam::filters::coordinate_rounding(input));
+  return foam::filters::doubt(given, films.report);
 }
 
 void vtkFoamCoarsen::AdvanceTo(int frame) {
@@ -202,6 +261,9 @@ void vtkFoamCoarsen::AdvanceTo(int frame) {
         });
   } catch (const foam::Aborted&) {
     // The last frame that was complete is shown; the next request goes on from there.
+  } catch (const std::exception& error) {
+    vtkErrorMacro("Frame " << frame << " could not be computed: " << error.what() << ". Frame "
+                           << timeline.frame() << ", the last that is whole, is shown.");
   }
   if (timeline.end() && !this->Run->EndTold) {
     this->Run->EndTold = true;
@@ -209,7 +271,21 @@ void vtkFoamCoarsen::AdvanceTo(int frame) {
     vtkWarningMacro("The foam ended at time " << record.time << " s, frame " << *timeline.end()
                                               << ": " << foam::reason(*record.ended)
                                               << ". Later times show the last foam.");
-    this->Modified(); // so that the frames are announced anew
+  }
+}
+
+void vtkFoamCoarsen::WarnOfLargeThresholds() {
+  constexpr double LARGEST_LENGTH = 0.2; // of the root of the bubbles' mean area
+  constexpr double LARGEST_AREA = 0.1;   // of their mean area
+  const foam::ThresholdOptions& thresholds = this->Options->coarsening.thresholds;
+  const double area = this->Run->Timeline.start_mean_area();
+  if (thresholds.kind == foam::ThresholdKind::Absolute &&
+      (thresholds.t1_length > LARGEST_LENGTH * std::sqrt(area) ||
+       thresholds.t2_area > LARGEST_AREA * area)) {
+    vtkWarningMacro("The thresholds are not small beside the bubbles: T1Length is "
+                    << thresholds.t1_length << " cm, T2Area " << thresholds.t2_area
+                    << " cm², but the bubbles' mean area is " << area << " cm², its root "
+                    << std::sqrt(area) << " cm. Thresholds Automatic takes a hundredth of each.");
   }
 }
 
@@ -223,7 +299,8 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
   if (!record.report.converged) {
     vtkWarningMacro("Frame " << timeline.frame() << ", time " << record.time
                              << " s, is not in equilibrium: angles are off by up to "
-                             << record.report.max_angle_error << " rad, residual "
+                             << record.report.max_angle_error << " rad, areas by up to "
+                             << record.report.max_area_error << " of their targets, residual "
                              << record.report.residual << ".");
   }
 }
@@ -231,6 +308,9 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
 void vtkFoamCoarsen::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   FOAM_OPTIONS(foamPrintOption, foamPrintOption)
-  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n"
+  os << indent << "StartFrom: " << this->StartFrom << "\n"
+     << indent << "StartTime: " << this->StartTime << "\n"
+     << indent << "TargetAreas: " << this->TargetAreas << "\n"
+     << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n"
      << indent << "KeyframeMemory: " << this->KeyframeMemory << "\n";
 }

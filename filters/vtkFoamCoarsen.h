@@ -8,9 +8,11 @@
  * later than the requested time. Going forward advances the simulation; going back, or jumping,
  * starts from the nearest keyframe before and replays, with the same bits.
  *
- * Input: films, of vtkFoamFromPoints, of this filter, or read back from a .vtp. A temporal input
- * is taken at its first time step. A run that begins with the films of a keyframe continues with
- * the bits of the uninterrupted run; from any other frame it continues to within the tolerance.
+ * Input: films, of vtkFoamFromPoints, of this filter, or read back from a .vtp. Of a temporal input
+ * one time step is taken, the last or the first. A run that begins with the films of a keyframe
+ * continues with the bits of the uninterrupted run; from any other frame it continues to within the
+ * tolerance. What films say of their equilibrium is measured: where it does not hold, because they
+ * were transformed, say, there is a warning, and Converged = 0.
  *
  * Output port 0, films, and port 1, bubbles, are those of vtkFoamFromPoints. A frame that did not
  * reach equilibrium is warned about and has Converged = 0. When a bubble would vanish that
@@ -18,7 +20,8 @@
  * frame of the end has the field data Ended = 1 and EndReason, what stands in the way; from then on
  * it is the last that is offered, and what later times show.
  *
- * An aborted request shows the last frame that was complete; the next request goes on from there.
+ * A request that is aborted, or that an error ends, shows the last frame that was complete; the
+ * next request goes on from there.
  *
  * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
  * of Copenhagen, 2010.
@@ -29,10 +32,18 @@
 #define vtkFoamCoarsen_h
 
 #include <memory> // for the options and the simulation
+#include <string> // for what is wrong with films
+#include <vector> // for times
 
 #include "vtkFoamEquilibratingAlgorithm.h"
 
 class vtkPolyData;
+
+#ifndef __VTK_WRAP__
+namespace foam {
+struct FilmSet;
+} // namespace foam
+#endif
 
 class VTKFOAMFILTERS_EXPORT vtkFoamCoarsen : public vtkFoamEquilibratingAlgorithm {
 public:
@@ -40,10 +51,34 @@ public:
   vtkTypeMacro(vtkFoamCoarsen, vtkFoamEquilibratingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum StartFromType { First = 0, Last = 1 };
+  enum TargetAreasType { FromFilms = 0, Measured = 1 };
   enum ThresholdsType { Absolute = 0, Relative = 1, Automatic = 2 };
   enum TwoSidedBubblesType { Remove = 0, Slide = 1 };
   enum SteppingType { Events = 0, FixedSteps = 1 };
   enum TopologicalAlgorithmType { Final = 0, Original = 1, Improved = 2, Simultaneous = 3 };
+
+  ///@{
+  /**
+   * The time step of a temporal input that the run begins with, Last (default) or First.
+   */
+  vtkSetClampMacro(StartFrom, int, First, Last);
+  vtkGetMacro(StartFrom, int);
+  ///@}
+
+  /**
+   * The time that the run begins with, s, once it is known.
+   */
+  vtkGetMacro(StartTime, double);
+
+  ///@{
+  /**
+   * Whether the target areas are those that the films carry (FromFilms, default), or the areas that
+   * their bubbles have (Measured).
+   */
+  vtkSetClampMacro(TargetAreas, int, FromFilms, Measured);
+  vtkGetMacro(TargetAreas, int);
+  ///@}
 
   ///@{
   /**
@@ -168,11 +203,21 @@ private:
   struct Simulation;
 
   Settings GetSettings() const;
+  void RequestStart(vtkInformation* input) const;
   bool RunIsOf(const Settings& settings, vtkPolyData* input) const;
   void PrepareSimulation(vtkInformationVector** inputs);
+#ifndef __VTK_WRAP__
+  bool LeaveOutAfterEnd(std::vector<double>& times) const;
+  std::string Measure(foam::FilmSet& films, vtkPolyData* input) const;
+#endif
   void AdvanceTo(int frame);
   void WarnIfNotConverged();
+  void WarnOfLargeThresholds();
+  double ReadTimeStep(vtkPolyData* input) const;
 
+  int StartFrom = Last;
+  double StartTime = 0;
+  int TargetAreas = FromFilms;
   int NumberOfFrames = 300;
   int KeyframeMemory = 256;
   std::unique_ptr<Settings> Options;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ using foam::filters::fail;
 
 /// Largest difference in z, relative to the extents in x and y.
 constexpr double PLANE_TOLERANCE = 1e-9;
+
+/// Part of target areas that they may be scaled by without a word.
+constexpr double UNTOLD_SCALING = 1e-6;
 
 /// T1 threshold of the first equilibration, in mean spacings.
 constexpr double T1_LENGTH = 0.05;
@@ -156,13 +160,6 @@ double Residual(const foam::Foam& foam) {
   return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
 }
 
-/// What is known of a foam that has not been brought to equilibrium.
-foam::EquilibriumReport MeasuredReport(const foam::Foam& foam) {
-  return {.max_angle_error = foam::max_angle_error(foam),
-          .max_area_error = foam::max_area_error(foam),
-          .residual = Residual(foam)};
-}
-
 } // namespace
 
 using ThisClass = vtkFoamFromPoints;
@@ -172,6 +169,7 @@ using ThisClass = vtkFoamFromPoints;
   choice(Boundary, this->Options->boundary) \
   option(FoldPoints, bool, this->Options->fold) \
   choice(TargetAreas, this->Options->target_areas) \
+  option(FitAreas, bool, this->Options->fit_areas) \
   option(SurfaceTension, double, this->Options->surface_tension) \
   option(FinSize, double, this->Options->fin_size)
 // clang-format on
@@ -206,9 +204,23 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
     options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
   }
   foam::Foam foam = foam::build_from_points(points, options);
-  foam.report = MeasuredReport(foam);
+  this->WarnIfScaled(foam, options);
+  foam.report = foam::measured_report(foam);
   this->BringToEquilibrium(foam);
   this->WriteOutputs(foam::sample(foam, this->GetChordError()), outputs);
+}
+
+void vtkFoamFromPoints::WarnIfScaled(const foam::Foam& foam, const foam::BuildOptions& options) {
+  const auto& given = options.target_area_array;
+  if (given.empty() || options.fit_areas) {
+    return;
+  }
+  const double sum = std::accumulate(given.begin(), given.end(), 0.0);
+  const double scale = std::accumulate(foam.target_area.begin(), foam.target_area.end(), 0.0) / sum;
+  if (std::abs(scale - 1) > UNTOLD_SCALING) {
+    vtkWarningMacro("The target areas add up to " << sum << ", but have to fill " << scale * sum
+                                                  << ": they were scaled by " << scale << ".");
+  }
 }
 
 void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
@@ -232,7 +244,7 @@ void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
                       << " iterations.");
     }
   } catch (const foam::Aborted&) {
-    foam.report = MeasuredReport(foam); // what there is of the foam is shown
+    // What there is of the foam is shown.
   }
 }
 

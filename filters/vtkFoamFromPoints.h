@@ -96,10 +96,19 @@ public:
   ///@{
   /**
    * Name of the point array of target areas, cm², one value > 0 per point. On a torus and in a
-   * container they must add up to its area.
+   * container they must add up to its area, to 1 %; what they are off they are scaled by, with a
+   * warning.
    */
   vtkSetStdStringFromCharMacro(TargetAreaArray);
   vtkGetCharFromStdStringMacro(TargetAreaArray);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to scale the areas of the array whatever they add up to. Default off.
+   */
+  foamOptionMacro(FitAreas, bool);
+  vtkBooleanMacro(FitAreas, bool);
   ///@}
 
   ///@{
@@ -141,6 +150,7 @@ private:
   void operator=(const vtkFoamFromPoints&) = delete;
 
 #ifndef __VTK_WRAP__
+  void WarnIfScaled(const foam::Foam& foam, const foam::BuildOptions& options);
   void BringToEquilibrium(foam::Foam& foam);
 #endif
 

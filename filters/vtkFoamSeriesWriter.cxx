@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFoamSeriesWriter.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "vtkAppendPolyData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -45,6 +50,27 @@ std::string Vtp(vtkPolyData* data) {
   return writer->GetOutputString();
 }
 
+/// What several processes have of a data set, in one. The parts that some have of others' to look
+/// at are left out.
+vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces) {
+  vtkNew<vtkAppendPolyData> joined;
+  vtkNew<vtkFieldData> ofTheWhole;
+  for (const auto& piece : pieces) {
+    auto* part = vtkPolyData::SafeDownCast(piece);
+    if (part && part->GetNumberOfCells() > 0) {
+      if (ofTheWhole->GetNumberOfArrays() == 0) {
+        ofTheWhole->ShallowCopy(part->GetFieldData());
+      }
+      part->RemoveGhostCells(); // and all field data with them
+      joined->AddInputData(part);
+    }
+  }
+  joined->Update();
+  vtkSmartPointer<vtkPolyData> whole = joined->GetOutput();
+  whole->SetFieldData(ofTheWhole);
+  return whole;
+}
+
 } // namespace
 
 /// The time steps that are to be written, and how far that is.
@@ -54,14 +80,30 @@ struct vtkFoamSeriesWriter::Loop {
     return Next > 0 && Next < Times.size() && time < (Times[Next - 1] + Times[Next]) / 2;
   }
 
+  /// Whether nothing is left to be written.
+  bool Done() const { return Next >= std::max<std::size_t>(1, Times.size()); }
+
   std::vector<double> Times;
   std::size_t Next = 0;
   std::optional<foam::filters::FrameSeries> Series;
 };
 
-vtkFoamSeriesWriter::vtkFoamSeriesWriter() : Present(std::make_unique<Loop>()) {}
+vtkFoamSeriesWriter::vtkFoamSeriesWriter()
+    : Controller(vtkMultiProcessController::GetGlobalController()),
+      Present(std::make_unique<Loop>()) {}
 
 vtkFoamSeriesWriter::~vtkFoamSeriesWriter() = default;
+
+void vtkFoamSeriesWriter::SetController(vtkMultiProcessController* controller) {
+  if (this->Controller != controller) {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkFoamSeriesWriter::GetController() {
+  return this->Controller;
+}
 
 int vtkFoamSeriesWriter::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
@@ -72,7 +114,9 @@ int vtkFoamSeriesWriter::Write() {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->SetAbortExecute(0); // what ended an earlier series
   *this->Present = {};
-  return this->Superclass::Write() && this->GetErrorCode() == vtkErrorCode::NoError;
+  const int written = this->Superclass::Write();
+  this->FinishSeries();
+  return written && this->GetErrorCode() == vtkErrorCode::NoError;
 }
 
 vtkTypeBool vtkFoamSeriesWriter::ProcessRequest(vtkInformation* request,
@@ -101,9 +145,13 @@ int vtkFoamSeriesWriter::RequestData(vtkInformation* request, vtkInformationVect
                                      vtkInformationVector*) {
   auto& loop = *this->Present;
   this->WriteData();
-  ++loop.Next;
   const bool stopped = this->GetAbortExecute() || this->GetErrorCode() != vtkErrorCode::NoError;
-  if (loop.Next < loop.Times.size() && !stopped) {
+  loop.Next += stopped ? 0 : 1;
+  int goOn = !stopped && !loop.Done();
+  if (this->IsOneOfSeveral()) {
+    this->Controller->Broadcast(&goOn, 1, 0); // what the first can know alone
+  }
+  if (goOn) {
     this->UpdateProgress(static_cast<double>(loop.Next) / static_cast<double>(loop.Times.size()));
     request->Set(SDDP::CONTINUE_EXECUTING(), 1);
   } else {
@@ -113,29 +161,76 @@ int vtkFoamSeriesWriter::RequestData(vtkInformation* request, vtkInformationVect
 }
 
 void vtkFoamSeriesWriter::WriteData() {
-  if (this->Piece != 0) {
+  const vtkSmartPointer<vtkPolyData> frame = this->WholeFrame();
+  if (this->Piece == 0) {
+    this->Try([&] { this->WriteFrame(frame); });
+  }
+}
+
+bool vtkFoamSeriesWriter::IsOneOfSeveral() const {
+  return this->NumberOfPieces > 1 && this->Controller &&
+         this->Controller->GetNumberOfProcesses() > 1;
+}
+
+/// The input, with what other processes have of it, in the first.
+vtkSmartPointer<vtkPolyData> vtkFoamSeriesWriter::WholeFrame() {
+  vtkSmartPointer<vtkPolyData> frame = vtkPolyData::SafeDownCast(this->GetInput());
+  if (this->IsOneOfSeveral()) {
+    const int spread = this->Piece > 0 && frame && frame->GetNumberOfCells() > 0;
+    int anywhere = 0;
+    this->Controller->AllReduce(&spread, &anywhere, 1, vtkCommunicator::MAX_OP);
+    if (anywhere) {
+      vtkNew<vtkPolyData> part;
+      part->ShallowCopy(frame);
+      std::vector<vtkSmartPointer<vtkDataObject>> pieces;
+      this->Controller->Gather(part, pieces, 0);
+      frame = this->Piece == 0 ? Joined(pieces) : nullptr;
+    }
+  }
+  return frame;
+}
+
+void vtkFoamSeriesWriter::WriteFrame(vtkPolyData* frame) {
+  auto& loop = *this->Present;
+  if (!frame || frame->GetNumberOfCells() == 0) {
+    foam::filters::fail("there is no foam to write to ", this->FileName);
+  }
+  vtkPolyData* const input = vtkPolyData::SafeDownCast(this->GetInput());
+  const double time = TimeOf(input->GetNumberOfCells() > 0 ? input : frame);
+  if (loop.Behind(time)) {
+    if (foam::filters::read_end(frame).empty()) {
+      this->SetAbortExecute(1);
+    } else { // what was written last was the last, and says so now
+      loop.Series->replace_last(Vtp(frame));
+      loop.Next = loop.Times.size();
+    }
     return;
   }
+  if (!loop.Series) {
+    loop.Series.emplace(this->FileName, time, this->Append);
+  }
+  loop.Series->add(time, Vtp(frame));
+}
+
+void vtkFoamSeriesWriter::FinishSeries() {
   auto& loop = *this->Present;
+  if (!loop.Series) {
+    return;
+  }
+  this->Try([&] {
+    if (!loop.Series->finish(loop.Done())) {
+      vtkWarningMacro(<< this->FileName << " is as it was, because not all of what is to replace it"
+                      << " was written: " << loop.Series->unfinished_index().string()
+                      << " lists what was.");
+    }
+  });
+  loop.Series.reset();
+}
+
+/// Tells of what goes wrong.
+template <class Action> void vtkFoamSeriesWriter::Try(Action&& action) {
   try {
-    auto* frame = vtkPolyData::SafeDownCast(this->GetInput());
-    if (!frame || frame->GetNumberOfCells() == 0) {
-      foam::filters::fail("there is no foam to write to ", this->FileName);
-    }
-    const double time = TimeOf(frame);
-    if (loop.Behind(time)) {
-      if (foam::filters::read_end(frame).empty()) {
-        this->SetAbortExecute(1);
-      } else { // what was written last was the last, and says so now
-        loop.Series->replace_last(Vtp(frame));
-        loop.Next = loop.Times.size();
-      }
-      return;
-    }
-    if (!loop.Series) {
-      loop.Series.emplace(this->FileName, time, this->Append);
-    }
-    loop.Series->add(time, Vtp(frame));
+    action();
   } catch (const std::system_error& error) {
     this->SetErrorCode(static_cast<unsigned long>(error.code().value()));
     vtkErrorMacro(<< error.what());
@@ -151,5 +246,6 @@ void vtkFoamSeriesWriter::PrintSelf(ostream& os, vtkIndent indent) {
      << indent << "WriteTimeSteps: " << this->WriteTimeSteps << "\n"
      << indent << "Append: " << this->Append << "\n"
      << indent << "Piece: " << this->Piece << "\n"
-     << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+     << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n"
+     << indent << "Controller: " << this->Controller.Get() << "\n";
 }

@@ -9,7 +9,12 @@
  * grows. After an error, or when its input stops, a series keeps the frames that it has, and can be
  * continued from the last of them.
  *
- * Of several processes the one with the first piece writes.
+ * A series that is there already, the input's own perhaps, is replaced once all of the new one is
+ * there: until then .unfinished-NAME.pvd lists that, and after an error nothing has changed. One
+ * that is continued lists the new frames from when they take the place of those given up. No file
+ * is overwritten.
+ *
+ * Of several processes the first writes, the pieces of all.
  *
  * @sa vtkFoamCoarsen vtkXMLPolyDataWriter
  */
@@ -20,7 +25,11 @@
 #include <string> // for its name
 
 #include "vtkFoamFiltersModule.h" // for the export macro
+#include "vtkSmartPointer.h"      // for the controller
 #include "vtkWriter.h"
+
+class vtkMultiProcessController;
+class vtkPolyData;
 
 class VTKFOAMFILTERS_EXPORT vtkFoamSeriesWriter : public vtkWriter {
 public:
@@ -66,6 +75,14 @@ public:
   vtkGetMacro(NumberOfPieces, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the pieces. Default: the global controller.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /**
    * Writes. \returns 1, or 0 after an error, with GetErrorCode() its cause: an errno or one of
    * vtkErrorCode.
@@ -89,11 +106,18 @@ private:
 
   struct Loop;
 
+  bool IsOneOfSeveral() const;
+  vtkSmartPointer<vtkPolyData> WholeFrame();
+  void WriteFrame(vtkPolyData* frame);
+  void FinishSeries();
+  template <class Action> void Try(Action&& action);
+
   std::string FileName;
   bool WriteTimeSteps = true;
   bool Append = false;
   int Piece = 0;
   int NumberOfPieces = 1;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<Loop> Present;
 };
 

@@ -20,6 +20,7 @@
 #include "MeasuredSides.h"
 #include "PipelineRequest.h"
 #include "StatisticsTables.h"
+#include "equilibrium/equilibrator.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
 
@@ -64,6 +65,14 @@ int vtkFoamStatistics::FillInputPortInformation(int, vtkInformation* info) {
   return 1;
 }
 
+int vtkFoamStatistics::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                                           vtkInformationVector* outputs) {
+  if (foam::filters::is_first_piece(request, outputs)) {
+    foam::filters::request_whole(inputs[0]->GetInformationObject(0));
+  }
+  return 1;
+}
+
 int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                    vtkInformationVector* outputs) {
   // The pipeline has given the outputs the films' field data, which are no part of the tables.
@@ -74,7 +83,13 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
     return 1;
   }
   try {
-    const auto foam = foam::filters::read_foam(vtkPolyData::GetData(inputs[0]));
+    vtkPolyData* const films = vtkPolyData::GetData(inputs[0]);
+    auto foam = foam::filters::read_foam(films);
+    const foam::EquilibriumReport given = foam.report;
+    foam.report = foam::confirmed(given, foam, foam::filters::coordinate_rounding(films));
+    if (const auto doubt = foam::filters::doubt(given, foam.report); !doubt.empty()) {
+      vtkWarningMacro(<< doubt);
+    }
     const auto figures = foam::statistics(foam, this->IncludeBoundary);
     foam::filters::write_summary(foam, figures, vtkTable::GetData(outputs, 0));
     foam::filters::write_by_sides(figures, vtkTable::GetData(outputs, 1));

@@ -7,7 +7,9 @@
  *
  * Port 0, Summary, one row: Time (s), Bubbles, MeanSides, Mu2 (second moment of the number of sides
  * about six), MeanArea (cm²), AreaSecondMoment ⟨A²⟩/⟨A⟩², Energy (N), AboavA (a of Aboav–Weaire's
- * law), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative).
+ * law), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative). The
+ * two errors are measured: where films say that they are in equilibrium and are not, there is a
+ * warning.
  *
  * Port 1, BySides, one row per number of sides n: Sides, Count, Fraction p(n), MeanNeighbourSides
  * m(n), AboavProduct n·m(n), AboavIdeal 5n + 7.4, MeanArea ⟨A_n⟩/⟨A⟩.
@@ -51,6 +53,8 @@ protected:
   ~vtkFoamStatistics() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 

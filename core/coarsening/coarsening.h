@@ -17,15 +17,15 @@ public:
   Coarsening& operator=(const Coarsening&) = delete;
   virtual ~Coarsening() = default;
 
-  /// Begins anew from a foam; nothing is kept from before.
+  /// Begins anew from a foam; nothing is kept from before. Where it throws, the foam is as before.
   virtual void restart(Foam foam) = 0;
 
   /// Advances by one time step.
   /// \returns false if the foam cannot go on: a bubble would vanish that cannot, one of a double
   /// bubble, say, for a single bubble has no junction and is outside the model; or no equilibrium
-  /// is found for what would come next. The foam is as it was then, and its record's `ended` says why.
-  /// \throws Aborted, with the foam as it was before the call; what was kept to be fast is lost, so
-  /// that only restart() leads back to the bits of a run that was not aborted.
+  /// is found for what would come next. The foam is as it was then, and its record's `ended` says
+  /// why. \throws Aborted, with the foam as it was before the call; what was kept to be fast is
+  /// lost, so that only restart() leads back to the bits of a run that was not aborted.
   virtual bool advance(const AbortCheck& aborted) = 0;
 
   virtual const Foam& foam() const = 0;

@@ -61,10 +61,11 @@ EventCoarsening::EventCoarsening(const CoarseningOptions& options)
     : options_(options), newton_(options.equilibrator) {}
 
 void EventCoarsening::restart(Foam foam) {
+  Field<Bubble, double> back_off(foam.bubble_half.size(), 1.0);
   foam_ = std::move(foam);
+  back_off_ = std::move(back_off);
   motion_ = {};
   newton_.forget();
-  back_off_.assign(foam_.bubble_half.size(), 1.0);
 }
 
 void EventCoarsening::undo(State state) {
@@ -76,7 +77,7 @@ void EventCoarsening::undo(State state) {
 }
 
 bool EventCoarsening::advance(const AbortCheck& aborted) {
-  const State before{foam_, {}, back_off_};
+  State before{foam_, {}, back_off_};
   iterations_ = 0;
   try {
     std::optional<Obstacle> obstacle = integrate(false, aborted);
@@ -95,7 +96,7 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
       return false;
     }
   } catch (...) {
-    undo(before);
+    undo(std::move(before)); // a copy might not find the memory
     newton_.forget();
     throw;
   }
@@ -114,6 +115,9 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallbac
   limit_ = newton_thresholds(thresholds(foam_, options_.thresholds), spacing);
   smallest_area_ = kSmallestArea * spacing * spacing;
 
+  if (!foam_.report.converged) { // what follows is the response of an equilibrium
+    iterations_ += newton_.equilibrate(foam_, limit_.t1_length, aborted).iterations;
+  }
   predict_whole();
   queue_.clear(foam_);
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {

@@ -21,8 +21,9 @@ struct BuildOptions {
   std::optional<Lattice> torus; ///< cm; without one default_torus()
   bool fold = false;            ///< whether points may extend over more than the torus
   TargetAreas target_areas = TargetAreas::Initial;
-  /// cm², one per point, > 0; on a torus and in a container they must add up to its area.
+  /// cm², one per point, > 0; on a torus and in a container they must add up to its area, to 1 %.
   std::vector<double> target_area_array;
+  bool fit_areas = false;        ///< scale those by any factor, so that they do
   double surface_tension = 0.25; ///< γ, N/cm, > 0
   /// How far the tips of the fins (thesis 4.5.3, s in the formula for x_free) stand out from the
   /// boundary, cm; 0 stands for 1.5 mean spacings, √(area of the triangles per point). No fin is

@@ -93,18 +93,20 @@ OwnUnitsCoarsening::OwnUnitsCoarsening(const CoarseningOptions& options, Make ma
     : options_(options), make_(std::move(make)) {}
 
 void OwnUnitsCoarsening::restart(Foam foam) {
-  own_ = own_units(foam, unit_steps(options_.equilibrator.kind));
-  CoarseningOptions options = in_units(options_, own_);
+  const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
+  CoarseningOptions options = in_units(options_, own);
   options.time_step = foam.time_step = time_step(options_, foam, foam.mean_area());
-  if (!coarsening_ || options != its_options_) {
-    coarsening_ = make_(options);
-    its_options_ = options;
-  }
   if (foam.thresholds == Thresholds{}) {
     foam.thresholds = thresholds(foam, options_.thresholds);
   }
-  change_units(foam, own_);
-  coarsening_->restart(std::move(foam));
+  change_units(foam, own);
+  auto anew = coarsening_ && options == its_options_ ? nullptr : make_(options);
+  (anew ? *anew : *coarsening_).restart(std::move(foam));
+  if (anew) {
+    coarsening_ = std::move(anew);
+    its_options_ = options;
+  }
+  own_ = own;
   foam_.reset();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "equilibrium/equilibrator.h"
@@ -16,16 +17,84 @@ template <class Element, class Error> double largest(Slots<Element> slots, const
   return std::ranges::max(errors);
 }
 
+/// Part of its direction (rad) or length that a film may lose where both ends are rounded.
+double relative_rounding(const Foam& foam, Film film, double rounding) {
+  return 4 * rounding / norm(foam.chord(film.half()));
+}
+
+double angle_rounding(const Foam& foam, Junction junction, double rounding) {
+  double sum = 0;
+  for (const Half h : foam.junction_half[junction]) {
+    sum += relative_rounding(foam, h.film(), rounding);
+  }
+  return sum;
+}
+
+double area_rounding(const Foam& foam, Bubble bubble, double rounding) {
+  double sum = 0;
+  for_each_half(foam, bubble, [&](Half h) { sum += 4 * rounding * foam.length(h); });
+  return sum / foam.target_area[bubble];
+}
+
+double curvature_rounding(const Foam& foam, Film film, double rounding) {
+  return 4 * rounding * std::abs(foam.pressure_difference(film.half())) / foam.tension(film);
+}
+
+/// The largest of each error, less what rounding of coordinates may do to it.
+double worst_angle(const Foam& foam, double rounding) {
+  return largest(foam.junction_slots(), [&](Junction j) {
+    return foam.moves(j) ? angle_error(foam, j) - angle_rounding(foam, j, rounding) : 0;
+  });
+}
+
+double worst_area(const Foam& foam, double rounding) {
+  return largest(foam.bubble_slots(), [&](Bubble b) {
+    return foam.has_bubble(b) ? area_error(foam, b) - area_rounding(foam, b, rounding) : 0;
+  });
+}
+
+double worst_curvature(const Foam& foam, double rounding) {
+  return largest(foam.film_slots(), [&](Film f) {
+    return foam.bends(f) ? curvature_error(foam, f) - curvature_rounding(foam, f, rounding) : 0;
+  });
+}
+
 } // namespace
 
 double max_angle_error(const Foam& foam) {
-  return largest(foam.junction_slots(),
-                 [&](Junction j) { return foam.moves(j) ? angle_error(foam, j) : 0; });
+  return worst_angle(foam, 0);
 }
 
 double max_area_error(const Foam& foam) {
-  return largest(foam.bubble_slots(),
-                 [&](Bubble b) { return foam.has_bubble(b) ? area_error(foam, b) : 0; });
+  return worst_area(foam, 0);
+}
+
+double max_curvature_error(const Foam& foam) {
+  return worst_curvature(foam, 0);
+}
+
+EquilibriumReport measured_report(const Foam& foam) {
+  EquilibriumReport report;
+  report.max_angle_error = max_angle_error(foam);
+  report.max_area_error = max_area_error(foam);
+  report.residual =
+      std::max({report.max_angle_error, report.max_area_error, max_curvature_error(foam)});
+  return report;
+}
+
+EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, double rounding) {
+  // A part that was said to be off by so much; what remains are the last digits of measuring.
+  const auto holds = [](double measured, double said) { return measured <= 1.01 * said + 1e-12; };
+  const double said_in_all =
+      std::max({report.max_angle_error, report.max_area_error, report.residual});
+  if (holds(worst_angle(foam, rounding), report.max_angle_error) &&
+      holds(worst_area(foam, rounding), report.max_area_error) &&
+      holds(worst_curvature(foam, rounding), said_in_all)) {
+    return report;
+  }
+  EquilibriumReport measured = measured_report(foam);
+  measured.iterations = report.iterations;
+  return measured;
 }
 
 } // namespace foam

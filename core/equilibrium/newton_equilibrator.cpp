@@ -63,11 +63,15 @@ void NewtonEquilibrator::forget() {
 
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
-  foam.report = {};
-  if (is_far(foam)) {
-    relax_compressible(foam, t1_length, aborted);
+  try {
+    if (is_far(foam)) {
+      relax_compressible(foam, t1_length, aborted);
+    }
+    return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
+  } catch (...) {
+    foam.report = measured_report(foam);
+    throw;
   }
-  return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
 }
 
 bool NewtonEquilibrator::is_far(Foam& foam) {

@@ -75,6 +75,13 @@ template <class Mesh> FOAM_HOST_DEVICE double area_error(const Mesh& mesh, Bubbl
   return std::abs(mesh.area(bubble) - target) / target;
 }
 
+/// |2 sin α − q·d/T| of a film that bends, of a radius that is at least half its chord.
+template <class Mesh> FOAM_HOST_DEVICE double curvature_error(const Mesh& mesh, Film film) {
+  const Half h = film.half();
+  const double asked = mesh.pressure_difference(h) * norm(mesh.chord(h)) / mesh.tension(film);
+  return std::abs(2 * std::sin(mesh.half_angle(h)) - std::clamp(asked, -2.0, 2.0));
+}
+
 /// Whether the films leave a junction in counter-clockwise order.
 template <class Mesh> FOAM_HOST_DEVICE bool counter_clockwise(const Mesh& mesh, Junction junction) {
   const std::array<Half, 3>& halves = mesh.junction_half[junction];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thesis/junction_equilibrator.h"
 
+#include <utility>
+
 namespace foam {
 namespace {
 
@@ -22,8 +24,8 @@ JunctionEquilibrator::JunctionEquilibrator(const EquilibratorOptions& options, i
 
 EquilibriumReport JunctionEquilibrator::equilibrate(Foam& foam, double /*t1_length*/,
                                                     const AbortCheck& aborted) {
-  const Field<Junction, Vec2> position = foam.position;
-  const Field<Bubble, double> pressure = foam.pressure;
+  Field<Junction, Vec2> position = foam.position;
+  Field<Bubble, double> pressure = foam.pressure;
   const FoamView mesh = view_of(foam);
   const bool jacobi = options_.junction.sweep == Sweep::Jacobi;
   if (jacobi) {
@@ -33,9 +35,9 @@ EquilibriumReport JunctionEquilibrator::equilibrate(Foam& foam, double /*t1_leng
     foam.report = thesis::sweep_to_rest(host_, mesh, options_, aborted, [&] {
       return jacobi ? jacobi_.sweep(mesh) : sweep_gauss_seidel(foam, options_.junction);
     });
-  } catch (const Aborted&) {
-    foam.position = position;
-    foam.pressure = pressure;
+  } catch (...) {
+    foam.position = std::move(position);
+    foam.pressure = std::move(pressure);
     throw;
   }
   return foam.report;

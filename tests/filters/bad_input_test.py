@@ -10,6 +10,7 @@ from pathlib import Path
 from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints,
                                       vtkStringArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
@@ -508,6 +509,24 @@ class Films(Rejecting):
         foam = foam_of_points(20)
         foam.Update()
         self.rejects_films(copy(foam.GetOutput(1)), "no films")
+
+    def test_what_was_connected_is_said(self):
+        """And what is wanted, for all that is no films."""
+        foam = foam_of_points(20)
+        foam.Update()
+        points = vtkFoamPoints()
+        points.SetNumberOfPoints(17)
+        points.Update()
+        sphere = vtkSphereSource()
+        sphere.Update()
+        line = vtkLineSource()
+        line.Update()
+        for data, *parts in ((copy(foam.GetOutput(1)), "no films", "20 bubbles of a foam"),
+                             (points.GetOutput(), "no films", "17 points"),
+                             (sphere.GetOutput(), "no films", "surface of 96 polygons"),
+                             (line.GetOutput(), "1 lines", "FormatVersion is missing"),
+                             (vtkPolyData(), "no films", "empty", "read completely")):
+            self.rejects_films(data, *parts, *(["first output of FoamFromPoints"] if data.GetNumberOfPoints() else []))
 
     def test_random_changes(self):
         """Whatever the arrays hold, there is an error and nothing, or a foam; never a crash."""

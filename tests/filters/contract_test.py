@@ -10,7 +10,7 @@ from vtkmodules.util.vtkConstants import VTK_DOUBLE
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
-from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of, single,
+from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of, set_properties, single,
                           skewed_torus, times, with_tensions)
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -324,6 +324,38 @@ class Arrays(unittest.TestCase):
         foam.Update()
         areas = column(foam.GetOutput(1).GetCellData(), "TargetArea")
         self.assertEqual(areas.min(), areas.max())
+
+    def test_measured_target_areas_are_fitted(self):
+        """To a torus and to a container: up to 1 % with a word, more with FitAreas alone; ratios stay."""
+        coordinates = [(x + 0.1 * y, y + 0.05 * x) for x in range(4) for y in range(4)]
+        shape = numpy.array([1 + 0.02 * i for i in range(16)])
+        for boundary in (vtkFoamFromPoints.Periodic, vtkFoamFromPoints.Fixed):
+            def foam_of(areas, fit=False, kind=vtkFoamFromPoints.Array):
+                foam = vtkFoamFromPoints()
+                foam.SetInputData(points_of(coordinates, Wanted=areas))
+                set_properties(foam, {"Boundary": boundary, "PeriodicBounds": (-0.5, 3.7, -0.5, 3.7),
+                                      "TargetAreas": kind, "TargetAreaArray": "Wanted", "FitAreas": fit})
+                messages = Messages(foam)
+                foam.Update()
+                return foam.GetOutput(1), messages
+
+            bubbles, _ = foam_of(shape, kind=vtkFoamFromPoints.Initial)
+            space = column(bubbles.GetCellData(), "TargetArea").sum()
+            for off, fit, told, refused in ((0, False, 0, 0), (1e-8, False, 0, 0), (0.004, False, 1, 0),
+                                            (-0.009, False, 1, 0), (0.02, False, 0, 1), (0.02, True, 0, 0),
+                                            (99, True, 0, 0), (-0.99, True, 0, 0)):
+                with self.subTest(boundary=boundary, off=off, fit=fit):
+                    total = space * (1 + off)
+                    bubbles, messages = foam_of(shape * (total / shape.sum()), fit)
+                    self.assertEqual((len(messages.warnings), len(messages.errors)), (told, refused))
+                    for text in messages.errors:
+                        self.assertIn(f"{total:.3f}"[:5], text)
+                        self.assertIn(f"{space:.3f}"[:5], text)
+                    for text in messages.warnings:
+                        self.assertIn(f"scaled by {1 / (1 + off):.6g}", text)
+                    if not refused:
+                        areas = column(bubbles.GetCellData(), "Area")
+                        numpy.testing.assert_allclose(areas, shape * (space / shape.sum()), rtol=1e-8)
 
     def test_chord_error(self):
         foam = foam_of_points(60)

@@ -144,9 +144,12 @@ def bits(data):
     for kind in ("PointData", "CellData", "FieldData"):
         attributes = getattr(data, "Get" + kind)()
         for i in range(attributes.GetNumberOfArrays()):
-            array = attributes.GetArray(i)
-            values = vtk_to_numpy(array)
-            result[kind + " " + array.GetName()] = (str(values.dtype), values.shape, values.tobytes())
+            array = attributes.GetAbstractArray(i)
+            if attributes.GetArray(i):
+                values = vtk_to_numpy(array)
+                result[kind + " " + array.GetName()] = (str(values.dtype), values.shape, values.tobytes())
+            else:
+                result[kind + " " + array.GetName()] = [array.GetValue(k) for k in range(array.GetNumberOfValues())]
     return result
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Series on disk: whole at every moment, continued after a stop; what is told when there is trouble."""
+"""Series on disk: whole at every moment, continued after a stop, never at the cost of another; what is told of trouble."""
 
 import errno
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -12,8 +13,12 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
 from foam.vtkFoamFilters import vtkFoamFromPoints, vtkFoamSeriesWriter
-from foam_testing import (Messages, coarsening_of, differences, foam_of_points, go_to, points_of, read,
+from foam_testing import (Messages, coarsening_of, differences, foam_of_points, go_to, points_of, read, single,
                           times)
 
 FRAMES = 24
@@ -33,6 +38,31 @@ def entries(path):
     """Times and files that a .pvd lists."""
     listed = ElementTree.parse(path).getroot().findall("./Collection/DataSet")
     return [(float(e.get("timestep")), path.parent / e.get("file")) for e in listed]
+
+
+class Reader(VTKPythonAlgorithmBase):
+    """A series read frame by frame, when each is asked for, at times scaled by a factor; or backwards."""
+
+    def __init__(self, path, factor=1, backwards=False):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        listed_times, listed_files = zip(*entries(path))
+        self.entries = list(zip([factor * time for time in listed_times],
+                                reversed(listed_files) if backwards else listed_files))
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        offered = [time for time, _ in self.entries]
+        information = outputs.GetInformationObject(0)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), offered, len(offered))
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [offered[0], offered[-1]], 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        asked = outputs.GetInformationObject(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        time, file = min(self.entries, key=lambda entry: abs(entry[0] - asked))
+        output = vtkPolyData.GetData(outputs)
+        output.ShallowCopy(read(file))
+        output.GetInformation().Set(output.DATA_TIME_STEP(), time)
+        return 1
 
 
 def files(folder):
@@ -193,9 +223,164 @@ class Stopping(Series):
             for file in data.glob("films_*.vtp"):
                 k = int(file.stem.split("_")[1])
                 self.assertEqual(differences(read(file), self.frames[k][0]), [], file)
-        for file in data.glob(".unfinished*"):
+        known = {file for _, file in listed}
+        for file in (f for f in data.iterdir() if f not in known):
             file.unlink()
         self.go_on_from(10)
+
+
+def contents(path):
+    """What lies on the disk of a series."""
+    return {p: p.read_bytes() for p in [path, *(file for _, file in entries(path))]}
+
+
+class InPlaceOfAnother(Series):
+    """A series takes the name of another that is there."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.original = Path(folder.name)
+        writer_of(coarsening_of(cls.foam, NumberOfFrames=FRAMES), cls.original / "films.pvd").Write()
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.original, self.folder, dirs_exist_ok=True)
+
+    def thin(self, kept):
+        """Leaves of the series the frames of these numbers alone."""
+        root = ElementTree.parse(self.path)
+        collection = root.find("Collection")
+        for k, element in enumerate(collection.findall("DataSet")):
+            if k not in kept:
+                collection.remove(element)
+                (self.folder / element.get("file")).unlink()
+        root.write(self.path)
+
+    def check_frames(self, numbers, shown_at=None, path=None):
+        """The frames of these numbers, at their times or at those that they are shown at."""
+        listed = entries(path or self.path)
+        self.assertEqual([t for t, _ in listed], shown_at or [self.times[k] for k in numbers])
+        for (time, file), k in zip(listed, numbers):
+            films = read(file)
+            other = ["FieldData TimeValue"] if time != self.times[k] else []
+            self.assertEqual(differences(films, self.frames[k][0]), other, file)
+            self.assertEqual(single(films, "TimeValue"), time)
+
+    def test_under_the_name_that_it_is_read_from(self):
+        self.assertEqual(writer_of(Reader(self.path), self.path).Write(), 1)
+        self.check(FRAMES + 1)
+
+    def test_thinned_under_the_name_that_it_is_read_from(self):
+        """The new frames would have names of old ones that are still to be read."""
+        kept = [0, 1, 5, 6, 7, 20]
+        self.thin(kept)
+        self.assertEqual(writer_of(Reader(self.path), self.path).Write(), 1)
+        self.check_frames(kept)
+
+    def test_read_in_another_order(self):
+        """What is read last is what would be overwritten first."""
+        self.assertEqual(writer_of(Reader(self.path, backwards=True), self.path).Write(), 1)
+        self.check_frames(range(FRAMES, -1, -1), self.times)
+
+    def test_stretched_and_continued(self):
+        """Old frames that are given up are read to the end."""
+        self.assertEqual(writer_of(Reader(self.path, factor=2), self.path, Append=True).Write(), 1)
+        self.check_frames(range(FRAMES + 1), [2 * t for t in self.times])
+
+    def check_untouched(self, before, messages):
+        """The old series is there, and the new one as far as it came."""
+        self.assertTrue(contents(self.path) == before)
+        self.assertEqual(len(messages.warnings), 1, messages.warnings)
+        unfinished = self.folder / ".unfinished-films.pvd"
+        self.assertIn(str(unfinished), messages.warnings[0])
+        self.check_frames(range(7), [2 * t for t in self.times[:7]], unfinished)
+
+    def write_part(self, action):
+        writer = writer_of(Reader(self.path, factor=2), self.path)
+        writer.AddObserver("ProgressEvent", lambda *_: action(writer) if len(self.unfinished()) == 6 else None)
+        messages = Messages(writer)
+        return writer.Write(), messages
+
+    def unfinished(self):
+        path = self.folder / ".unfinished-films.pvd"
+        return entries(path) if path.exists() else []
+
+    def test_stopped(self):
+        before = contents(self.path)
+        written, messages = self.write_part(lambda writer: writer.SetAbortExecute(True))
+        self.assertEqual(written, 1)
+        self.check_untouched(before, messages)
+
+    def test_source_fails(self):
+        """An empty frame is an error, and what was to be replaced stays."""
+        before = contents(self.path)
+
+        reader = Reader(self.path, factor=2)
+        whole = reader.RequestData
+        frames = []
+
+        def request_data(request, inputs, outputs):
+            frames.append(None)
+            return whole(request, inputs, outputs) if len(frames) < 8 else 1
+
+        reader.RequestData = request_data
+        writer = writer_of(reader, self.path)
+        messages = Messages(writer)
+        self.assertEqual(writer.Write(), 0)
+        self.assertEqual(len(messages.errors), 1, messages.errors)
+        self.check_untouched(before, messages)
+
+    def test_killed(self):
+        before = contents(self.path)
+        process = subprocess.Popen([sys.executable, __file__, "write", str(self.path)])
+        while process.poll() is None and len(list(self.path.parent.glob("films/.unfinished-new-*"))) < 9:
+            pass
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.assertTrue(contents(self.path) == before)
+        self.assertEqual(writer_of(Reader(self.path), self.path).Write(), 1)
+        self.check_frames(range(FRAMES + 1))
+
+    def test_thinned_and_continued(self):
+        """Kept frames keep their names and bits, new ones get names that are free."""
+        kept = [0, 3, 6, 9, 12, 20]
+        self.thin(kept)
+        before = {file: file.read_bytes() for time, file in entries(self.path) if time < self.times[20]}
+        resumed = coarsening_of(self.frames[20][0], NumberOfFrames=FRAMES - 20)
+        self.assertEqual(writer_of(resumed, self.path, Append=True).Write(), 1)
+        self.check_frames([*kept, *range(21, FRAMES + 1)])
+        now = contents(self.path)
+        self.assertEqual([file for file in before if now.get(file) != before[file]], [])
+
+    def test_a_file_that_is_not_listed_stays(self):
+        self.thin(range(12))
+        stray = self.folder / "films" / "films_0012.vtp"
+        stray.write_text("mine")
+        resumed = coarsening_of(self.frames[10][0], NumberOfFrames=FRAMES - 10)
+        self.assertEqual(writer_of(resumed, self.path, Append=True).Write(), 1)
+        self.check_frames(range(FRAMES + 1))
+        self.assertEqual(stray.read_text(), "mine")
+
+    def test_continued_from_before_its_end(self):
+        """The old end is there until the new frames reach as far; from then on they are, one by one."""
+        writer = writer_of(coarsening_of(self.frames[10][0], NumberOfFrames=FRAMES), self.path, Append=True)
+        seen = []
+
+        def look(*_):
+            if 0 < writer.GetProgress() < 1:
+                listed = entries(self.path)
+                seen.append(len(listed))
+                for time, file in listed[9::4]:
+                    self.assertEqual(single(read(file), "TimeValue"), time)
+
+        writer.AddObserver("ProgressEvent", look)
+        self.assertEqual(writer.Write(), 1)
+        self.assertEqual(seen, [max(k, FRAMES + 1) for k in range(11, 11 + FRAMES)])
+        self.assertEqual(files(self.folder),
+                         sorted([f"films/films_{k:04d}.vtp" for k in range(11 + FRAMES)] + ["films.pvd"]))
 
 
 class Trouble(Series):

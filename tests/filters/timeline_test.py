@@ -2,14 +2,19 @@
 """FoamCoarsen in time: any order of frames, keyframes, changed properties, abort, the end."""
 
 import math
+import resource
+import subprocess
+import sys
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints
 from foam_testing import (Messages, coarsening_of, column, copy, differences, foam_of_points, go_to,
-                          points_of, set_properties, single, times)
+                          points_of, read, set_properties, single, times, write)
 
 
 def work(action):
@@ -22,7 +27,24 @@ def work(action):
 class Times(unittest.TestCase):
     def test_offered(self):
         coarsen = coarsening_of(foam_of_points(), NumberOfFrames=3, TimeStep=0.1)
-        self.assertEqual(times(coarsen), [0, 0.1, 0.1 + 0.1, 0.1 + 0.1 + 0.1])
+        self.assertEqual(times(coarsen), [0, 0.1, 0.2, 3 * 0.1])
+
+    def test_are_multiples_and_no_sums(self):
+        """So that a frame is found at the time that a user would write, and a resumed run has its times."""
+        for step in (0.1, 1 / 30, 0.7, 1e-3, 3e5):
+            coarsen = coarsening_of(foam_of_points(20), NumberOfFrames=1000, TimeStep=step, Permeability=0)
+            offered = times(coarsen)
+            self.assertEqual(offered, [k * step for k in range(1001)])
+            for k in (20, 23):
+                films, bubbles = go_to(coarsen, k)
+                self.assertEqual([single(data, "TimeValue") for data in (films, bubbles)], 2 * [offered[k]])
+                resumed = coarsening_of(films, NumberOfFrames=1000 - k, TimeStep=step)
+                self.assertEqual(times(resumed), offered[k:])
+
+    def test_off_the_grid(self):
+        films, _ = go_to(coarsening_of(foam_of_points(20), TimeStep=0.1), 3)
+        films.GetFieldData().GetArray("TimeValue").SetValue(0, 0.05)
+        self.assertEqual(times(coarsening_of(films, TimeStep=0.1, NumberOfFrames=9)), [0.05 + k * 0.1 for k in range(10)])
 
     def test_begin_at_the_time_of_the_input(self):
         first = coarsening_of(foam_of_points(), NumberOfFrames=20)
@@ -32,9 +54,19 @@ class Times(unittest.TestCase):
         self.assertEqual(offered[0], times(first)[20])
         self.assertEqual(single(go_to(second, 5)[0], "TimeValue"), offered[5])
 
+    def test_temporal_input_is_taken_at_its_last_time(self):
+        first = coarsening_of(foam_of_points(), NumberOfFrames=10)
+        second = coarsening_of(first, NumberOfFrames=3)
+        self.assertEqual(times(second), times(coarsening_of(foam_of_points(), NumberOfFrames=13))[10:])
+        self.assertEqual(second.GetStartTime(), times(first)[10])
+        reference = coarsening_of(foam_of_points(), NumberOfFrames=13)
+        for frame in (0, 3, 1):
+            go_to(first, frame)
+            self.assertEqual(differences(go_to(second, frame)[0], go_to(reference, 10 + frame)[0]), [])
+
     def test_temporal_input_is_taken_at_its_first_time(self):
         first = coarsening_of(foam_of_points(), NumberOfFrames=4)
-        second = coarsening_of(first, NumberOfFrames=3, TimeStep=0.01)
+        second = coarsening_of(first, NumberOfFrames=3, TimeStep=0.01, StartFrom=vtkFoamCoarsen.First)
         reference = [go_to(coarsening_of(foam_of_points(), TimeStep=0.01), k)[0] for k in range(4)]
         for frame in (0, 3, 1):
             go_to(first, frame)
@@ -213,6 +245,38 @@ class Progress(unittest.TestCase):
         self.assertGreater(single(foam.GetOutput(0), "MaxAngleError"), 0)
 
 
+class Memory(unittest.TestCase):
+    """A frame that memory does not suffice for."""
+
+    def test_the_last_whole_frame_is_kept(self):
+        foam = foam_of_points(3000, periodic=True)
+        foam.Update()
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "films.vtp"
+            write(foam.GetOutput(0), path)
+            subprocess.run([sys.executable, __file__, "in little memory", path], check=True)
+
+    @staticmethod
+    def run_in_little_memory(path):
+        """In a process that has not computed before: nothing lies ready that was used once."""
+        case = unittest.TestCase()
+        coarsen = coarsening_of(read(path), TimeStep=0.01)
+        first, _ = go_to(coarsen, 0)
+        messages = Messages(coarsen)
+        used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (used + (1 << 20), resource.RLIM_INFINITY))
+        try:
+            coarsen.UpdateTimeStep(times(coarsen)[1])
+        finally:
+            resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+        case.assertEqual(len(messages.errors), 1)
+        case.assertIn("Frame 1 could not be computed", messages.errors[0])
+        case.assertEqual(differences(coarsen.GetOutput(0), first), [])
+        coarsen.Modified()
+        next_frame, _ = go_to(coarsen, 1)
+        case.assertEqual(differences(next_frame, go_to(coarsening_of(first, TimeStep=0.01), 1)[0]), [])
+
+
 class Warnings(unittest.TestCase):
     def test_the_end_of_a_run(self):
         """Four bubbles coarsen to two; one would have no junction."""
@@ -290,4 +354,7 @@ class Static(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:2] == ["in little memory"]:
+        Memory.run_in_little_memory(sys.argv[2])
+    else:
+        unittest.main()

@@ -44,9 +44,7 @@ class Pipeline(unittest.TestCase):
         points = FoamPoints(NumberOfPoints=60)
         self.foam = FoamFromPoints(Input=points, Boundary="Periodic")
         self.coarsen = FoamCoarsen(Input=self.foam, NumberOfFrames=25)
-        self.expected = [0.0]
-        for _ in range(25):
-            self.expected.append(self.expected[-1] + 1 / 30)
+        self.expected = [k * (1 / 30) for k in range(26)]
         self.addCleanup(simple.ResetSession)
 
     def test_time_steps(self):
@@ -100,8 +98,15 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(film_bits(fetch(resumed, time=self.expected[k])),
                              film_bits(fetch(self.coarsen, time=self.expected[k])))
 
-        # A series is taken at its first time, another time through ForceTime.
-        first = FoamCoarsen(Input=reader, NumberOfFrames=25)
+        # A series is taken at its last time or its first, at another through ForceTime.
+        last = FoamCoarsen(Input=reader, NumberOfFrames=5)
+        last.UpdatePipelineInformation()
+        self.assertEqual((list(last.StartTime), last.TimestepValues[0]), ([self.expected[25]], self.expected[25]))
+        self.assertEqual(film_bits(fetch(last, time=self.expected[25])),
+                         film_bits(fetch(self.coarsen, time=self.expected[25])))
+        first = FoamCoarsen(Input=reader, StartFrom="First", NumberOfFrames=25)
+        self.assertEqual(list(first.StartTime), [0])
+        self.assertEqual(list(resumed.StartTime), [self.expected[20]])
         self.assertEqual(film_bits(fetch(first, time=self.expected[21])),
                          film_bits(fetch(self.coarsen, time=self.expected[21])))
         forced = simple.ForceTime(Input=reader, ForcedTime=reader.TimestepValues[20])
@@ -120,9 +125,29 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(film_bits(fetch(reader, time=self.expected[25])),
                          film_bits(fetch(self.coarsen, time=self.expected[25])))
 
+    def test_saved_under_the_name_that_it_is_read_from(self):
+        path = self.write_series("films.pvd")
+        reader = simple.PVDReader(FileName=str(path))
+        simple.SaveData(str(path), proxy=reader, WriteTimeSteps=1)
+        again = simple.PVDReader(FileName=str(path))
+        self.assertEqual(list(again.TimestepValues), self.expected)
+        for time in self.expected:
+            self.assertEqual(film_bits(fetch(again, time=time)), film_bits(fetch(self.coarsen, time=time)))
+        self.assertEqual(sorted(p.name for p in self.folder.rglob("*.*")),
+                         ["films.pvd", *(f"films_{k:04d}.vtp" for k in range(26))])
+
     def test_other_data_keep_their_writer(self):
-        for source, writer in ((self.coarsen, "FoamSeriesWriter"), (simple.Sphere(), "XMLPVDWriter")):
-            made = simple.CreateWriter(str(self.folder / "some.pvd"), source)
+        with_field_data = simple.TrivialProducer()
+        data = fetch(simple.Sphere())
+        data.GetFieldData().AddArray(fetch(self.coarsen).GetFieldData().GetArray("TimeValue"))
+        with_field_data.GetClientSideObject().SetOutput(data)
+        path = self.write_series("films.pvd")
+        for source, port, writer in ((self.coarsen, 0, "FoamSeriesWriter"), (self.coarsen, 1, "FoamSeriesWriter"),
+                                     (simple.PVDReader(FileName=str(path)), 0, "FoamSeriesWriter"),
+                                     (simple.Transform(Input=self.coarsen), 0, "FoamSeriesWriter"),
+                                     (simple.Sphere(), 0, "XMLPVDWriter"), (with_field_data, 0, "XMLPVDWriter"),
+                                     (FoamPoints(), 0, "XMLPVDWriter")):
+            made = simple.CreateWriter(str(self.folder / "some.pvd"), servermanager.OutputPort(source, port))
             self.assertEqual(made.GetXMLName(), writer)
 
     def test_statistics(self):

@@ -25,8 +25,8 @@ EQUILIBRATOR_CHOICES = {
 PROXIES = {
     "FoamPoints": {"NumberOfPoints", "Spacing", "Jitter", "Seed"},
     "FoamFromPoints": {"Boundary", "PeriodicBounds", "PeriodVectors", "TargetAreas", "SurfaceTension", "FinSize",
-                       "Equilibrate", *EQUILIBRATOR},
-    "FoamCoarsen": {"TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area", "Thresholds", "Alpha",
+                       "FitAreas", "Equilibrate", *EQUILIBRATOR},
+    "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area", "Thresholds", "Alpha",
                     "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary"},
@@ -34,14 +34,15 @@ PROXIES = {
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
-    "FoamCoarsen": {"Input", "TimestepValues"}, "FoamStatistics": {"Input"},
+    "FoamCoarsen": {"Input", "TimestepValues", "StartTime"}, "FoamStatistics": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
     "FoamPoints": {},
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
-    "FoamCoarsen": {"Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
+    "FoamCoarsen": {"StartFrom": ["First", "Last"], "TargetAreas": ["FromFilms", "Measured"],
+                    "Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
                     "Stepping": ["Events", "FixedSteps"],
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
@@ -114,6 +115,26 @@ class Proxies(unittest.TestCase):
             domain = prop.FindDomain(kind)
             self.assertTrue(domain.GetMinimumExists(0), key)
             self.assertGreater(domain.GetMinimum(0), 0, key)
+
+    def test_inputs_that_make_no_sense_are_greyed_out(self):
+        coarsen, points = self.proxies["FoamCoarsen"], self.proxies["FoamPoints"]
+        coarsen.UpdatePipeline()
+        bubbles = servermanager.OutputPort(coarsen, 1)
+        centres = simple.CellCenters(Input=bubbles, VertexCells=1)
+        inputs = {"points": points, "sphere": simple.Sphere(), "films": coarsen, "bubbles": bubbles,
+                  "centres": centres, "lines": simple.Line()}
+        for name, accepted in (("FoamFromPoints", {"points", "sphere", "centres", "lines"}), ("FoamCoarsen", {"films"}),
+                               ("FoamStatistics", {"films"})):
+            prop = self.proxies[name].GetProperty("Input").SMProperty
+            found = set()
+            for kind, source in inputs.items():
+                source.UpdatePipeline()
+                prop.RemoveAllUncheckedProxies()
+                prop.AddUncheckedInputConnection(source.SMProxy, source.Port)
+                if prop.IsInDomains():
+                    found.add(kind)
+            prop.RemoveAllUncheckedProxies()
+            self.assertEqual(found, accepted, name)
 
     def test_help(self):
         """Python's help tells of every property."""

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What films say of their equilibrium is measured: after they were changed it no longer holds."""
+
+import random
+import unittest
+
+import numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
+
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamStatistics
+from foam_testing import (Messages, coarsening_of, column, copy, differences, foam_of_points, go_to, single,
+                          times)
+
+
+def transformed(films, change):
+    """Films after ParaView's Transform."""
+    transform = vtkTransform()
+    change(transform)
+    transformer = vtkTransformFilter()
+    transformer.SetInputData(films)
+    transformer.SetTransform(transform)
+    transformer.Update()
+    return copy(transformer.GetOutput())
+
+
+def in_single_precision(films):
+    result = copy(films)
+    points = vtkPoints()
+    points.SetDataTypeToFloat()
+    points.DeepCopy(films.GetPoints())
+    result.SetPoints(points)
+    assert points.GetDataType() == 10
+    return result
+
+
+class Measuring(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.films = {}
+        for boundary in ("Free", "Periodic", "Fixed"):
+            foam = foam_of_points(60, Boundary=getattr(vtkFoamFromPoints, boundary))
+            cls.films[boundary] = go_to(coarsening_of(foam), 7)[0]
+
+    def statistics(self, films):
+        """The summary of films, and the warnings."""
+        statistics = vtkFoamStatistics()
+        statistics.SetInputData(films)
+        messages = Messages(statistics)
+        statistics.Update()
+        self.assertEqual(messages.errors, [])
+        row = {name: statistics.GetOutput(0).GetValueByName(0, name).ToDouble()
+               for name in ("MaxAngleError", "MaxAreaError", "MeanArea")}
+        return row, messages.warnings
+
+    def start(self, films, **properties):
+        """The first frame that FoamCoarsen makes of films, the filter, and the warnings."""
+        coarsen = coarsening_of(films, **properties)
+        messages = Messages(coarsen)
+        shown, _ = go_to(coarsen, 0)
+        self.assertEqual(messages.errors, [])
+        return shown, coarsen, messages.warnings
+
+    def check_holds(self, films):
+        shown, _, warnings = self.start(films)
+        self.assertEqual(warnings + self.statistics(films)[1], [])
+        self.assertEqual(single(shown, "Converged"), 1)
+
+    def rejects(self, films, *parts):
+        for algorithm in (vtkFoamCoarsen(), vtkFoamStatistics()):
+            algorithm.SetInputData(films)
+            messages = Messages(algorithm)
+            algorithm.Update()
+            self.assertEqual(len(messages.errors), 1, messages.errors)
+            for part in parts:
+                self.assertIn(part, messages.errors[0])
+
+
+class Unchanged(Measuring):
+    def test_a_frame_holds(self):
+        for films in self.films.values():
+            self.check_holds(films)
+
+    def test_frames_of_both_methods_hold(self):
+        for properties in ({"Equilibrator": vtkFoamCoarsen.Junction}, {"Stepping": vtkFoamCoarsen.FixedSteps}, {}):
+            for boundary in ("Free", "Periodic"):
+                coarsen = coarsening_of(self.films[boundary], **properties)
+                for frame in range(6):
+                    films, _ = go_to(coarsen, frame)
+                    statistics = vtkFoamStatistics()
+                    statistics.SetInputData(films)
+                    messages = Messages(statistics)
+                    statistics.Update()
+                    self.assertEqual(messages.errors + messages.warnings, [])
+
+    def test_moved_and_turned(self):
+        random.seed(1)
+        for far in (1, 1e3, 4e6, 1e9):
+            angle, x, y = 360 * random.random(), far * random.random(), -far * random.random()
+
+            def change(transform):
+                transform.Translate(x, y, 0)
+                transform.RotateZ(angle)
+            for boundary in ("Free", "Fixed"):
+                self.check_holds(transformed(self.films[boundary], change))
+            self.check_holds(transformed(self.films["Periodic"], lambda t: t.Translate(x, y, 0)))
+
+    def test_in_single_precision(self):
+        for boundary in ("Free", "Fixed"):
+            self.check_holds(in_single_precision(self.films[boundary]))
+            self.check_holds(in_single_precision(
+                transformed(self.films[boundary], lambda t: t.Translate(1000, 0, 0))))
+
+
+class Changed(Measuring):
+    def test_scaled(self):
+        """Twice as wide, areas are four times their targets: off by three times those."""
+        for scale in (2, 0.5, 1.001):
+            films = transformed(self.films["Free"], lambda t: t.Scale(scale, scale, 1))
+            row, warnings = self.statistics(films)
+            self.assertEqual(len(warnings), 1, warnings)
+            self.assertIn("not", warnings[0])
+            self.assertIn(f"{scale**2 - 1:.3f}"[:4] if scale > 1 else "0.75", warnings[0])
+            self.assertAlmostEqual(row["MaxAreaError"], abs(scale**2 - 1), 7)
+            self.assertLess(row["MaxAngleError"], 1e-7)
+            shown, _, warnings = self.start(films)
+            self.assertEqual(len(warnings), 1, warnings)
+            self.assertIn("Measured", warnings[0])
+            self.assertEqual(single(shown, "Converged"), 0)
+            self.assertAlmostEqual(single(shown, "MaxAreaError"), abs(scale**2 - 1), 7)
+
+    def test_stretched(self):
+        films = transformed(self.films["Free"], lambda t: t.Scale(1.02, 1 / 1.02, 1))
+        row, warnings = self.statistics(films)
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertGreater(row["MaxAngleError"], 0.01)
+        shown, _, warnings = self.start(films)
+        self.assertEqual((single(shown, "Converged"), len(warnings)), (0, 1))
+        self.assertEqual(single(shown, "MaxAngleError"), row["MaxAngleError"])
+
+    def test_other_pressures(self):
+        films = copy(self.films["Free"])
+        pressure = films.GetFieldData().GetArray("BubblePressure")
+        pressure.SetValue(3, 1.01 * pressure.GetValue(3))
+        self.assertEqual(len(self.statistics(films)[1]), 1)
+        self.assertEqual(single(self.start(films)[0], "Converged"), 0)
+
+    def test_targets(self):
+        """FromFilms, the foam shrinks to what it was; Measured, it keeps its areas."""
+        films = transformed(self.films["Free"], lambda t: t.Scale(1.5, 1.5, 1))
+        for targets, scale in ((vtkFoamCoarsen.FromFilms, 1), (vtkFoamCoarsen.Measured, 2.25)):
+            shown, coarsen, warnings = self.start(films, TargetAreas=targets, Permeability=0)
+            expected = scale * column(self.films["Free"].GetFieldData(), "BubbleTargetArea")
+            numpy.testing.assert_allclose(column(shown.GetFieldData(), "BubbleTargetArea"), expected, rtol=1e-8)
+            self.assertEqual(len(warnings), 1, warnings)
+            self.assertEqual("TargetAreas" in warnings[0], targets == vtkFoamCoarsen.FromFilms)
+            after, bubbles = go_to(coarsen, 1)
+            self.assertEqual(single(after, "Converged"), 1)
+            self.assertEqual(single(after, "TimeValue"), times(coarsen)[1])
+            numpy.testing.assert_allclose(column(bubbles.GetCellData(), "Area"), expected, rtol=1e-8)
+            # Energy is a length: that of the foam so large.
+            self.assertAlmostEqual(single(after, "Energy") / (scale**0.5 * single(self.films["Free"], "Energy")), 1, 7)
+
+    def test_targets_can_be_changed_again(self):
+        films = transformed(self.films["Free"], lambda t: t.Scale(1.5, 1.5, 1))
+        coarsen = coarsening_of(films)
+        Messages(coarsen)
+        first, _ = go_to(coarsen, 1)
+        coarsen.SetTargetAreas(vtkFoamCoarsen.Measured)
+        go_to(coarsen, 1)
+        coarsen.SetTargetAreas(vtkFoamCoarsen.FromFilms)
+        self.assertEqual(differences(go_to(coarsen, 1)[0], first), [])
+
+
+class Torus(Measuring):
+    def test_scaled(self):
+        """By a whole number too, with which films still end whole periods away."""
+        for scale in (1.3, 0.5):
+            films = transformed(self.films["Periodic"], lambda t: t.Scale(scale, scale, 1))
+            self.rejects(films, "not whole periods", "transformed")
+        films = transformed(self.films["Periodic"], lambda t: t.Scale(2, 2, 1))
+        row = column(self.films["Periodic"].GetFieldData(), "PeriodicBounds")[0]
+        cell = (row[1] - row[0]) * (row[3] - row[2])
+        self.rejects(films, "do not fit their torus", f"{4 * cell:.6f}"[:6], f"{cell:.6f}"[:6])
+
+    def test_turned(self):
+        self.rejects(transformed(self.films["Periodic"], lambda t: t.RotateZ(30)), "do not fit their torus")
+
+    def test_turned_out_of_the_plane(self):
+        for films in self.films.values():
+            self.rejects(transformed(films, lambda t: t.RotateX(20)), "plane of constant z")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -108,7 +108,7 @@ bool FoamTimeline::advance(const AbortCheck& aborted) {
 }
 
 double FoamTimeline::time() const {
-  return frame_time(start_.time, settings_.coarsening.time_step, frame_);
+  return frame_time(start_.time, time_step(), frame_);
 }
 
 FoamRecord FoamTimeline::record() const {

@@ -4,37 +4,19 @@
     pvpython examples/foam_from_picture.py --picture foam.png [--crop LEFT RIGHT TOP BOTTOM] [--walls]
 
 Bubbles should be 20 to 60 pixels wide. --crop names the part to look at (pixels), --walls is for foams
-that walls, or the crop, hold where they are. A length of 1 in the foam is the root of the mean bubble area.
+that walls, or the crop, hold where they are. A length of 1 in the foam is the root of the mean bubble area. Bright films,
+numbered regions and blank pictures are refused: foam_in_picture.py, which finds the bubbles, says why.
 """
 from foam_plugin import *
+from foam_in_picture import bubbles_in, neighbours_in, read_picture
 from matplotlib.collections import LineCollection
-from scipy.ndimage import distance_transform_edt
-from skimage import filters, io, measure, morphology, segmentation
-
-
-def bubbles_in(picture):
-    """The number of the bubble that each pixel belongs to, from 1: basins around the places farthest from films."""
-    smooth = filters.gaussian(picture, 1)
-    depth = filters.gaussian(distance_transform_edt(smooth > filters.threshold_local(smooth, 31, offset=0.02)), 1)
-    basins = segmentation.watershed(-depth, measure.label(morphology.h_maxima(depth, 1)))
-    areas = np.bincount(basins.ravel())
-    usual = (areas > np.median(areas) / 20) & (areas < 5 * np.median(areas))  # neither specks nor the world
-    return segmentation.relabel_sequential(segmentation.clear_border(np.where(usual[basins], basins, 0)))[0]
-
-
-def neighbours_in(labels):
-    """Pairs of bubbles, counted from 0, with three or more pixels of border between them."""
-    beside = ((labels[1:], labels[:-1]), (labels[:, 1:], labels[:, :-1]))
-    sides = np.sort(np.vstack([np.c_[a.ravel(), b.ravel()] - 1 for a, b in beside]), axis=1)
-    pairs, lengths = np.unique(sides[(sides[:, 0] >= 0) & (sides[:, 0] < sides[:, 1])], axis=0, return_counts=True)
-    return {tuple(pair) for pair in pairs[lengths >= 3]}
+from skimage import measure
 
 
 def main():
     options = read_options(__doc__, "output/picture", picture="foam.png", crop=(0, 0, 0, 0), walls=False)
-    left, right, top, bottom = options.crop
-    picture = io.imread(options.picture, as_gray=True)[top:bottom or None, left:right or None]
-    labels = bubbles_in(picture / picture.max())
+    picture = read_picture(options.picture, *options.crop)
+    labels = bubbles_in(picture)
     table = options.output / "bubbles.csv"
     write_table(table, [{"x": r.centroid[1] + 0.5, "y": len(picture) - r.centroid[0] - 0.5, "area": r.area}
                         for r in measure.regionprops(labels)])

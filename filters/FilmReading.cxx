@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -395,10 +397,13 @@ std::string doubt(const EquilibriumReport& given, const EquilibriumReport& found
   if (!given.converged || found.converged) {
     return {};
   }
-  return message("The films are said to be in equilibrium, but are not: angles are off by up to ",
-                 found.max_angle_error, " rad, areas by up to ", found.max_area_error,
-                 " of their targets, the largest residual is ", found.residual,
-                 ". Were they changed, by a Transform, say?");
+  std::ostringstream words;
+  words << std::setprecision(3)
+        << "The films are said to be in equilibrium, but are not: angles are "
+        << "off by up to " << found.max_angle_error << " rad, areas by up to "
+        << found.max_area_error << " times their targets, the largest residual is "
+        << found.residual << ". Were they changed, by a Transform, say?";
+  return words.str();
 }
 
 double read_time(vtkPolyData* films) {

@@ -114,11 +114,11 @@ std::string FrameSeries::next_file() const {
   for (number = std::max(number, static_cast<int>(frames_.size()));; ++number) {
     std::ostringstream name;
     name << index_.stem().string() << '_' << std::setw(4) << std::setfill('0') << number << ".vtp";
-    const std::string proper = index_.stem() / name.str();
+    std::string proper = index_.stem() / name.str();
     if (!std::filesystem::exists(folder_ / proper)) {
       return proper;
     }
-    const std::string waiting = index_.stem() / (std::string(kWaiting) + name.str());
+    std::string waiting = index_.stem() / (std::string(kWaiting) + name.str());
     if (std::ranges::count(given_up_, proper) > 0 && !is_listed(waiting)) {
       return waiting;
     }

@@ -300,7 +300,7 @@ void vtkFoamCoarsen::WarnIfNotConverged() {
     vtkWarningMacro("Frame " << timeline.frame() << ", time " << record.time
                              << " s, is not in equilibrium: angles are off by up to "
                              << record.report.max_angle_error << " rad, areas by up to "
-                             << record.report.max_area_error << " of their targets, residual "
+                             << record.report.max_area_error << " times their targets, residual "
                              << record.report.residual << ".");
   }
 }

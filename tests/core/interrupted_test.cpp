@@ -42,11 +42,11 @@ TEST(Interrupted, AFrameThatFailsAnywhereLeavesTheFoamAsItWas) {
     int polls = 0;
     ASSERT_TRUE(whole->advance([&] { return ++polls < 0; }));
     ASSERT_GT(polls, 2);
-    const FilmSet before = film_set(start);
     const FilmSet after = film_set(whole->foam());
     for (int last = 1; last <= polls; last += std::max(1, polls / 25)) {
       const auto coarsening = make_coarsening(options);
       coarsening->restart(start);
+      const FilmSet before = film_set(coarsening->foam());
       int asked = 0;
       EXPECT_THROW(coarsening->advance([&] {
         if (++asked == last) {

@@ -5,6 +5,7 @@ import csv
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -13,12 +14,15 @@ from pathlib import Path
 import numpy
 from paraview import simple
 from PIL import Image
+from skimage import measure
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints
 
 EXAMPLES = Path(os.environ["FOAM_EXAMPLES"])
+sys.path.insert(0, str(EXAMPLES))
+import foam_in_picture
 DATA = Path(os.environ["FOAM_TEST_DATA"])
 
 
@@ -224,6 +228,31 @@ class Picture(Example):
         coarsen.Update()
         made = shapes(coarsen.GetOutput(1)) * [scale, scale, scale**2] + [*corner, 0]
         numpy.testing.assert_allclose(made[nearest], drawn, atol=0.03)
+
+    def test_what_is_no_picture_of_dark_films_is_refused(self):
+        foam = foam_of(60)
+        foam.Update()
+        self.draw(foam.GetOutput(0))
+        with Image.open(self.folder / "foam.png") as picture:
+            dark = numpy.asarray(picture.convert("L"))
+        labels = measure.label(dark > 128, connectivity=1)
+        random = numpy.random.default_rng(1)
+        for name, pixels, words in (("bright", 255 - dark, "invert"), ("blank", 0 * dark + 200, "blank"),
+                                    ("black", 0 * dark, "blank"), ("labels", labels.astype(numpy.uint8), "numbered"),
+                                    ("labels16", labels.astype(numpy.uint16), "numbered"),
+                                    ("regions", random.permutation(256)[labels].astype(numpy.uint8), "numbered"),
+                                    ("cut", dark[:20, :20], "20 x 20 pixels")):
+            path = self.folder / f"{name}.png"
+            Image.fromarray(pixels).save(path)
+            with self.subTest(name=name), self.assertRaises(SystemExit) as refused:
+                foam_in_picture.read_picture(path, 0, 0, 0, 0)
+            self.assertIn(words, str(refused.exception))
+            self.assertIn(f"{name}.png", str(refused.exception))
+        self.assertEqual(foam_in_picture.read_picture(self.folder / "foam.png", 0, 0, 0, 0).shape, dark.shape)
+        process = run("foam_from_picture.py", "--picture", self.folder / "blank.png", "--output", self.folder)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn("blank", process.stderr)
+        self.assertNotIn("Traceback", process.stderr)
 
     def test_no_picture(self):
         process = run("foam_from_picture.py", "--picture", self.folder / "none.png", "--output", self.folder)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The bubbles of a picture, dark films on a bright ground, for foam_from_picture.py; and whether it is such a picture."""
+import sys
+
+import numpy as np
+from scipy.ndimage import distance_transform_edt, gaussian_laplace
+from skimage import filters, io, measure, morphology, segmentation
+
+MOST_COLOURS = 12  # of what is drawn
+LEAST_RIDGES = 1.2  # dark ones beside bright ones: about 2 for dark films, 1 for steps, 0.5 for bright films
+
+
+def read_picture(path, left, right, top, bottom):
+    """The part of a picture that is to be looked at, its brightest pixel 1. Ends with a word if it is no picture of
+    dark films."""
+    whole = io.imread(path, as_gray=True).astype(float)
+    if whole.ndim != 2:
+        sys.exit(f"{path} is not one picture: its shape is {whole.shape}")
+    picture = whole[top:bottom or None, left:right or None]
+    if min(picture.shape) < 32:
+        sys.exit(f"{path}: there are {picture.shape[1]} x {picture.shape[0]} pixels to look at, too few for a foam")
+    if not np.isfinite(picture).all() or picture.max() == picture.min():
+        sys.exit(f"{path} is blank: all pixels are {picture.flat[0]:g}")
+    values = flat_values(picture)
+    if len(values) > MOST_COLOURS:
+        sys.exit(f"{path} has flat regions of {len(values)} values, as a picture of numbered regions has: draw their "
+                 "borders, dark on white")
+    curvature = gaussian_laplace(picture, 2)
+    ridges = np.percentile(curvature, 98) / max(-np.percentile(curvature, 2), 1e-300)
+    if ridges < LEAST_RIDGES:
+        sys.exit(f"{path} has no dark films on a bright ground: dark lines are {ridges:.2f} times as marked as bright "
+                 f"ones, not {LEAST_RIDGES} times or more. If its films are bright, invert it")
+    return picture / picture.max()
+
+
+def flat_values(picture):
+    """The values of pixels that are as their neighbours, where most are, and 0.2 % or more of one value; the most
+    frequent first."""
+    inner = picture[1:-1, 1:-1]
+    beside = picture[:-2, 1:-1], picture[2:, 1:-1], picture[1:-1, :-2], picture[1:-1, 2:]
+    flat = np.logical_and.reduce([inner == other for other in beside])
+    values, counts = np.unique(inner[flat], return_counts=True)
+    order = np.argsort(-counts)
+    return values[order][counts[order] > 0.002 * picture.size] if flat.mean() > 0.5 else values[:0]
+
+
+def bubbles_in(picture):
+    """The number of the bubble that each pixel belongs to, from 1: basins around the places farthest from films."""
+    smooth = filters.gaussian(picture, 1)
+    depth = filters.gaussian(distance_transform_edt(smooth > filters.threshold_local(smooth, 31, offset=0.02)), 1)
+    basins = segmentation.watershed(-depth, measure.label(morphology.h_maxima(depth, 1)))
+    areas = np.bincount(basins.ravel())
+    usual = (areas > np.median(areas) / 20) & (areas < 5 * np.median(areas))  # neither specks nor the world
+    labels = segmentation.relabel_sequential(segmentation.clear_border(np.where(usual[basins], basins, 0)))[0]
+    if labels.max() < 3:
+        sys.exit(f"{labels.max()} bubbles were found, too few for a foam: they should be 20 to 60 pixels wide")
+    return labels
+
+
+def neighbours_in(labels):
+    """Pairs of bubbles, counted from 0, with three or more pixels of border between them."""
+    beside = ((labels[1:], labels[:-1]), (labels[:, 1:], labels[:, :-1]))
+    sides = np.sort(np.vstack([np.c_[a.ravel(), b.ravel()] - 1 for a, b in beside]), axis=1)
+    pairs, lengths = np.unique(sides[(sides[:, 0] >= 0) & (sides[:, 0] < sides[:, 1])], axis=0, return_counts=True)
+    return {tuple(pair) for pair in pairs[lengths >= 3]}

@@ -23,8 +23,9 @@ def member(seed, bubbles, frames):
     foam.SetBoundary(vtkFoamFromPoints.Periodic)
     coarsen.SetInputConnection(foam.GetOutputPort())
     statistics.SetInputConnection(coarsen.GetOutputPort())
-    moments = coarsen.GetTimeStep() * np.arange(frames // 2, frames + 1)
+    coarsen.SetTimeStep(1 / 30)
     coarsen.SetNumberOfFrames(frames)
+    moments = coarsen.GetTimeStep() * np.arange(frames // 2, frames + 1)
     areas = []
     for moment in moments:
         statistics.UpdateTimeStep(moment)

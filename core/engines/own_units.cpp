@@ -132,6 +132,9 @@ const FoamRecord& OwnUnitsCoarsening::record() const {
 }
 
 SampledFoam OwnUnitsCoarsening::sample(double chord_error) {
+  if (own_.shift != Vec2{}) { // a place in between that is not a junction would be rounded twice
+    return foam::sample(foam(), chord_error);
+  }
   SampledFoam sampled = coarsening_->sample(own_.length * chord_error);
   if (!own_.changes_nothing()) {
     change_units(sampled, own_.inverse());

@@ -96,8 +96,8 @@ class Coarsening:
             self.filter.SetInputConnection(source.filter.GetOutputPort(0))
         else:
             self.filter.SetInputData(source)
-        set_properties(self.filter, {**_constants(), **method.properties, "TimeStep": time_step,
-                                     "NumberOfFrames": steps, **properties})
+        set_properties(self.filter, {"Thresholds": vtkFoamCoarsen.Absolute, **_constants(), **method.properties,
+                                     "TimeStep": time_step, "NumberOfFrames": steps, **properties})
         self.watch = Watch(self.filter)
         self.start = field_value(source.films() if isinstance(source, Source) else source, "TimeValue")
         self.time_step = time_step

@@ -206,7 +206,7 @@ class Coarsening(Rejecting):
         cls.films = copy(foam.GetOutput(0))
 
     def test_properties(self):
-        cases = [("TimeStep", 0), ("TimeStep", -0.5), ("TimeStep", NAN), ("TimeStep", math.inf),
+        cases = [("TimeStep", -0.5), ("TimeStep", NAN), ("TimeStep", math.inf),
                  ("Permeability", -0.25), ("Permeability", NAN), ("Permeability", math.inf),
                  ("T1Length", -0.5), ("T1Length", NAN), ("T2Area", -0.5), ("T2Area", NAN),
                  ("KeyframeInterval", 0), ("KeyframeInterval", -2), ("NumberOfFrames", -1),

@@ -159,6 +159,12 @@ def differences(a, b):
     return sorted(name for name in x.keys() | y.keys() if x.get(name) != y.get(name))
 
 
+def differences_of_foams(a, b):
+    """The same, but for what a foam that coarsens says of its coarsening."""
+    return [name for name in differences(a, b)
+            if name not in ("FieldData TimeStep", "FieldData T1Length", "FieldData T2Area")]
+
+
 def write(data, path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))

@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 import numpy
-from foam.vtkFoamFilters import vtkFoamStatistics
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamStatistics
 
 from foam_testing import coarsening_of, column, go_to, read, single
 
@@ -24,7 +24,7 @@ class Version1(unittest.TestCase):
 
     def frames(self, name):
         """The films as they are read, and five frames later, each with the bubbles and what was made of them then."""
-        coarsen = coarsening_of(self.films[name], ChordError=0.5, TimeStep=0.05)
+        coarsen = coarsening_of(self.films[name], ChordError=0.5, TimeStep=0.05, Thresholds=vtkFoamCoarsen.Absolute)
         for frame, when in ((0, "read"), (5, "later")):
             yield *go_to(coarsen, frame), self.expected[name][when]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Series on disk: whole at every moment, continued after a stop, never at the cost of another; what is told of trouble."""
+"""Series on disk: whole at every moment, continued after a stop, never at the cost of another; what is told."""
 
 import errno
 import os
@@ -18,8 +18,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from foam.vtkFoamFilters import vtkFoamFromPoints, vtkFoamSeriesWriter
-from foam_testing import (Messages, coarsening_of, differences, foam_of_points, go_to, points_of, read, single,
-                          times)
+from foam_testing import (Messages, coarsening_of, differences, differences_of_foams, foam_of_points, go_to,
+                          points_of, read, single, times)
 
 FRAMES = 24
 NOBODY = 65534
@@ -89,7 +89,7 @@ class Series(unittest.TestCase):
         listed = entries(self.path)
         self.assertEqual([t for t, _ in listed], self.times[:count])
         for (_, file), frame in zip(listed, self.frames):
-            self.assertEqual(differences(read(file), frame[port]), [], file)
+            self.assertEqual(differences_of_foams(read(file), frame[port]), [], file)
         names = [f"films/films_{k:04d}.vtp" for k in range(count)]
         self.assertEqual(files(self.folder), sorted(names + ["films.pvd"]))
 
@@ -179,7 +179,7 @@ class Writing(Series):
         self.path = self.folder / 'a "b" & <c> 100% é.pvd'
         writer_of(self.foam, self.path).Write()
         ((_, file),) = entries(self.path)
-        self.assertEqual(differences(read(file), self.frames[0][0]), [])
+        self.assertEqual(differences_of_foams(read(file), self.frames[0][0]), [])
 
 
 class Stopping(Series):

@@ -44,7 +44,8 @@ class Times(unittest.TestCase):
     def test_off_the_grid(self):
         films, _ = go_to(coarsening_of(foam_of_points(20), TimeStep=0.1), 3)
         films.GetFieldData().GetArray("TimeValue").SetValue(0, 0.05)
-        self.assertEqual(times(coarsening_of(films, TimeStep=0.1, NumberOfFrames=9)), [0.05 + k * 0.1 for k in range(10)])
+        self.assertEqual(times(coarsening_of(films, TimeStep=0.1, NumberOfFrames=9)),
+                         [0.05 + k * 0.1 for k in range(10)])
 
     def test_begin_at_the_time_of_the_input(self):
         first = coarsening_of(foam_of_points(), NumberOfFrames=20)

@@ -20,8 +20,8 @@ def tearDownModule():
 
 MAIN = "pqClientMainWindow"
 APPLY = (f"{MAIN}/propertiesDock/propertiesPanel/Accept", "activate", "")
-SETTINGS = """{"sources": {"FoamPoints": {"NumberOfPoints": 60}},
-"filters": {"FoamCoarsen": {"NumberOfFrames": 5}}}"""
+SETTINGS = f"""{{"sources": {{"FoamPoints": {{"NumberOfPoints": 60}}}},
+"filters": {{"FoamCoarsen": {{"NumberOfFrames": 5, "TimeStep": {1 / 30!r}}}}}}}"""
 NO_WELCOME = "[General]\nGeneralSettings.ShowWelcomeDialog=false\n"
 
 

@@ -43,7 +43,7 @@ class Pipeline(unittest.TestCase):
         self.folder = Path(folder.name)
         points = FoamPoints(NumberOfPoints=60)
         self.foam = FoamFromPoints(Input=points, Boundary="Periodic")
-        self.coarsen = FoamCoarsen(Input=self.foam, NumberOfFrames=25)
+        self.coarsen = FoamCoarsen(Input=self.foam, NumberOfFrames=25, TimeStep=1 / 30)
         self.expected = [k * (1 / 30) for k in range(26)]
         self.addCleanup(simple.ResetSession)
 

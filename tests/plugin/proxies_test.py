@@ -25,9 +25,9 @@ EQUILIBRATOR_CHOICES = {
 PROXIES = {
     "FoamPoints": {"NumberOfPoints", "Spacing", "Jitter", "Seed"},
     "FoamFromPoints": {"Boundary", "PeriodicBounds", "PeriodVectors", "TargetAreas", "SurfaceTension", "FinSize",
-                       "FitAreas", "Equilibrate", *EQUILIBRATOR},
-    "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area", "Thresholds", "Alpha",
-                    "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
+                       "FitAreas", "FoldPoints", "Equilibrate", *EQUILIBRATOR},
+    "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area",
+                    "Thresholds", "Alpha", "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary"},
     "FoamEnsembleStatistics": {"IncludeBoundary"},
@@ -42,7 +42,7 @@ CHOICES = {
     "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
     "FoamCoarsen": {"StartFrom": ["First", "Last"], "TargetAreas": ["FromFilms", "Measured"],
-                    "Thresholds": ["Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
+                    "Thresholds": ["Automatic", "Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],
                     "Stepping": ["Events", "FixedSteps"],
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
@@ -107,7 +107,7 @@ class Proxies(unittest.TestCase):
 
     def test_ranges_refuse_what_the_filters_refuse(self):
         for name, key in [("FoamPoints", "Spacing"), ("FoamFromPoints", "SurfaceTension"),
-                          ("FoamFromPoints", "Tolerance"), ("FoamCoarsen", "TimeStep"),
+                          ("FoamFromPoints", "Tolerance"),
                           ("FoamCoarsen", "Alpha"), ("FoamPoints", "NumberOfPoints"),
                           ("FoamCoarsen", "KeyframeInterval"), ("FoamCoarsen", "MaximumIterations")]:
             prop = self.proxies[name].GetProperty(key).SMProperty
@@ -179,7 +179,7 @@ class Proxies(unittest.TestCase):
             for key in properties:
                 prop = proxy.GetProperty(key)
                 value = [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
-                other = [1 - v if v in (0, 1) else 2 * v for v in value]
+                other = [1 - v if v in (0, 1) else 2 * v for v in value] if key != "Thresholds" else [0]
                 for i, v in enumerate(other):
                     prop.SetElement(i, v)
                 proxy.UpdateVTKObjects()

@@ -61,7 +61,7 @@ public:
                                    newton::pressures_of(mesh_, x));
   }
   void remove_rigid_motion(double* x) { newton::remove_rigid_motion(executor_, mesh_, domain_, x); }
-  LowerTriangle assemble() { return compressed_.assemble(matrix()); }
+  LowerTriangle assemble() { return compressed_.assemble(newton::CompressedMatrix{matrix()}); }
   int solve(const double* right, double* x, double tolerance, int most = 500) {
     return MinimalResidual<Executor>(executor_).solve(
         size(), right, x, tolerance, most,
@@ -77,7 +77,7 @@ private:
   typename Executor::template Array<newton::FilmStiffness> stiffness_;
   typename Executor::template Array<newton::FilmGradient> gradient_;
   newton::FoamPreconditioner<Executor> preconditioner_;
-  newton::CompressedMatrix<Executor> compressed_;
+  CompressedRows<Executor> compressed_;
 };
 
 } // namespace foam::test

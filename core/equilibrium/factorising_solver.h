@@ -54,7 +54,6 @@ public:
                            const Rates& expected, double drift);
 
 private:
-  void renumber(const Foam& foam);
   bool assemble(const Foam& foam, double shift);
   bool factorise(const Foam& foam, Index surplus);
   bool adapt(const Foam& foam);
@@ -63,7 +62,7 @@ private:
   bool solve(const Foam& foam, std::span<double> change, std::vector<double>& rest, double limit);
   const StepView* respond(const Foam& foam, const Field<Bubble, double>& area_rate,
                           const Rates& expected, double drift);
-  double largest(const Foam& foam, std::span<const double> rest) const;
+  std::vector<double> weights(const Foam& foam) const;
   void extract(const Foam& foam, std::span<double> change, std::span<const double> angle_gradient,
                const Rates& held, Step<Host>& step);
 
@@ -79,7 +78,6 @@ private:
   bool adapted_ = false;    ///< it has been adapted since the equilibration began, or is new
   double shift_ = 0;        ///< of the last one
 
-  std::vector<char> keep_angle_; ///< by place in region_.films
   NewtonMatrix matrix_;
   ReusedFactorisation factorisation_;
   Step<Host> step_, response_;

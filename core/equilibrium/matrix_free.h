@@ -229,17 +229,13 @@ FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film
   const FilmLagrangian phi = film_derivatives(mesh, film, units, convexification);
   const Vec2 a = displacement(solution, mesh.start(h));
   const Vec2 b = displacement(solution, mesh.end(h));
-  const std::array<double, 6> local{a.x,
-                                    a.y,
-                                    b.x,
-                                    b.y,
-                                    pressure_in(mesh, solution, mesh.left(h)),
-                                    pressure_in(mesh, solution, mesh.right(h))};
-  double sum = phi.gradient[k];
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    sum += phi.hessian[k][i] * local[i];
-  }
-  return -sum / phi.hessian[k][k];
+  const FilmLagrangian::Each<double> change{a.x,
+                                            a.y,
+                                            b.x,
+                                            b.y,
+                                            pressure_in(mesh, solution, mesh.left(h)),
+                                            pressure_in(mesh, solution, mesh.right(h))};
+  return eliminated_angle(phi.gradient[k], phi.hessian[k].data(), change);
 }
 
 /// The step that a solution is.

@@ -39,6 +39,32 @@ void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::sp
   }
 }
 
+/// By the numbers of a region's unknowns, those that they have elsewhere, or kNone.
+/// \param elsewhere of the region's films
+std::vector<Index> renumbering(const NewtonMatrix& matrix,
+                               std::span<const FilmLagrangian::Each<Index>> elsewhere) {
+  std::vector<Index> numbers(place_of(matrix.unknowns().count()), kNone);
+  for (std::size_t i = 0; i < elsewhere.size(); ++i) {
+    const FilmLagrangian::Each<Index>& own = matrix.shares()[i].unknown;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (own[k] != kNone) {
+        numbers[place_of(own[k])] = elsewhere[i][k];
+      }
+    }
+  }
+  return numbers;
+}
+
+std::vector<FilmLagrangian::Each<Index>>
+numbers_of(const Foam& foam, const std::vector<Film>& films, const Unknowns& unknowns) {
+  std::vector<FilmLagrangian::Each<Index>> numbers;
+  numbers.reserve(films.size());
+  for (const Film f : films) {
+    numbers.push_back(unknowns.of_film(foam, f));
+  }
+  return numbers;
+}
+
 } // namespace
 
 void ReusedFactorisation::analyse(const Foam& foam, const Region& region,
@@ -67,7 +93,7 @@ bool ReusedFactorisation::adapt(const Foam& foam, const Region& region,
                                 const NewtonMatrix& matrix) {
   solver_.round();
   if (topology_ != foam.topology) {
-    renumbering_ = renumbering(region, matrix.unknowns(), unknowns_);
+    renumbering_ = renumbering(matrix, numbers_of(foam, region.films, unknowns_));
     topology_ = foam.topology;
   }
   std::vector<Bubble> bubbles = changed_bubbles(foam, region);
@@ -123,11 +149,11 @@ bool ReusedFactorisation::make_patch(const Foam& foam, const Region& region,
   std::vector<char> keep_angle;
   for (const Film f : around.films) {
     keep_angle.push_back(keeps_angle(f) ? 1 : 0);
-    made.columns.push_back(matrix.unknowns().of_film(foam, f));
   }
-  made.matrix.set_up(foam, around, keep_angle);
+  made.matrix.set_up(foam, around, std::move(keep_angle));
   made.matrix.assemble(foam, around, 0);
-  made.rows = renumbering(around, made.matrix.unknowns(), matrix.unknowns());
+  made.columns = numbers_of(foam, around.films, matrix.unknowns());
+  made.rows = renumbering(made.matrix, made.columns);
   made.solver.analyse(nested_dissection(foam, around, made.matrix.unknowns()),
                       made.matrix.shares());
   if (made.solver.factorise(made.matrix.shares(), made.matrix.diagonal()) < 0) {

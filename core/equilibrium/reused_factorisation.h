@@ -31,7 +31,7 @@ public:
   /// \returns false if too much has changed.
   bool adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// Whether the film's half-angle was an unknown.
-  bool keeps_angle(Film film) const { return unknowns_.angle(film) != kNone; }
+  bool keeps_angle(Film film) const { return unknowns_.keeps_angle(film); }
 
   /// Replaces the right-hand side by the solution, which is approximate after adapt().
   void solve(std::span<double> rhs);

@@ -11,7 +11,7 @@
 namespace foam {
 
 /// The unknowns of a region, numbered: x and y of every junction, then every bubble's pressure,
-/// then the half-angles that are kept.
+/// then the half-angles that are kept, each in the region's order.
 class Unknowns {
 public:
   /// Costs no more than the region before and this one are large, but for the first time.
@@ -22,20 +22,26 @@ public:
   Index first_pressure() const { return first_pressure_; }
   Index first_angle() const { return first_angle_; }
 
-  // Numbers, or kNone for what is held, eliminated, or was not there when this was set up.
-  /// Of x; that of y follows.
-  Index junction(Junction junction) const { return junctions_.at(junction); }
-  Index bubble(Bubble bubble) const { return bubble.is_outside() ? kNone : bubbles_.at(bubble); }
-  Index angle(Film film) const { return angles_.at(film); }
-  /// In the order of FilmLagrangian.
+  /// A film's, in the order of FilmLagrangian; kNone for what is held, eliminated, or was not there
+  /// when they were numbered.
   FilmLagrangian::Each<Index> of_film(const Foam& foam, Film film) const;
+  bool keeps_angle(Film film) const { return angles_.at(film) != kNone; }
 
 private:
   /// Of some elements among many.
   template <class Element> class Numbers {
   public:
-    void clear(std::size_t capacity);
-    void put(Element element, Index number);
+    void clear(std::size_t capacity) {
+      for (const Element element : elements_) {
+        numbers_[element] = kNone;
+      }
+      elements_.clear();
+      numbers_.resize(capacity, kNone);
+    }
+    void put(Element element, Index number) {
+      elements_.push_back(element);
+      numbers_[element] = number;
+    }
     Index at(Element element) const {
       return element.place() < numbers_.size() ? numbers_[element] : kNone;
     }
@@ -45,15 +51,12 @@ private:
     std::vector<Element> elements_; ///< that have one
   };
 
-  Numbers<Junction> junctions_;
+  Numbers<Junction> junctions_; ///< of x; that of y follows
   Numbers<Bubble> bubbles_;
   Numbers<Film> angles_;
   Index first_pressure_ = 0;
   Index first_angle_ = 0;
   Index count_ = 0;
 };
-
-/// By the numbers that a region's unknowns have in one numbering, those in another, or kNone.
-std::vector<Index> renumbering(const Region& region, const Unknowns& from, const Unknowns& to);
 
 } // namespace foam

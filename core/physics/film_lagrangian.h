@@ -114,4 +114,15 @@ FOAM_HOST_DEVICE inline void eliminate_angle(FilmLagrangian& film) {
   }
 }
 
+/// The change of an eliminated α that goes with one of the other variables. \param gradient ∂φ/∂α,
+/// which it takes away; \param row ∂²φ/∂α² and before it those by α and the others.
+FOAM_HOST_DEVICE inline double eliminated_angle(double gradient, const double* row,
+                                                const FilmLagrangian::Each<double>& change) {
+  double sum = gradient;
+  for (std::size_t k = 0; k < FilmLagrangian::kAngle; ++k) {
+    sum += row[k] * change[k];
+  }
+  return -sum / row[FilmLagrangian::kAngle];
+}
+
 } // namespace foam

@@ -21,7 +21,7 @@ struct System {
   System(const Foam& foam, Region of, bool keep_angles) : region(std::move(of)) {
     std::vector<char> keep(region.films.size(), keep_angles ? 1 : 0);
     matrix.set_up(foam, region, keep);
-    EXPECT_TRUE(matrix.assemble(foam, region, 0).empty());
+    EXPECT_TRUE(matrix.assemble(foam, region, 0));
     const auto size = matrix.unknowns().count();
     const std::vector<double> diagonal = matrix.diagonal();
     dense = Eigen::Map<const Eigen::VectorXd>(diagonal.data(), size).asDiagonal();
@@ -260,7 +260,7 @@ TEST(ConjugateResiduals, NeedOneDirectionForEachKindOfError) {
   std::vector<double> rest = load;
   int steps = 0;
   const bool solved = generalised_conjugate_residuals(
-      std::span<double>(x), rest, weight,
+      std::span<double>(x), rest, weight, 1e-12, 4,
       [&](std::span<const double> z, std::span<double> from) {
         for (std::size_t i = 0; i < 8; ++i) {
           from[i] -= k[i] * z[i];
@@ -271,11 +271,7 @@ TEST(ConjugateResiduals, NeedOneDirectionForEachKindOfError) {
         for (std::size_t i = 0; i < 8; ++i) {
           z[i] *= (i == 2 ? 2.0 : i == 5 ? 0.5 : i == 6 ? 3.0 : 1.0) / k[i];
         }
-      },
-      [](std::span<const double> left) {
-        return std::ranges::all_of(left, [](double r) { return std::abs(r) < 1e-12; });
-      },
-      4);
+      });
   EXPECT_TRUE(solved);
   EXPECT_EQ(steps, 4);
   for (std::size_t i = 0; i < 8; ++i) {

@@ -30,10 +30,8 @@ std::vector<TreePlace> places_of(const Foam& foam, const Region& region, const U
       places[place_of(unknown)] = place;
     }
   };
-  std::vector<FilmLagrangian::Each<Index>> films;
-  for (const Film f : region.films) {
-    const auto& [a, a_y, b, b_y, left, right, angle] =
-        films.emplace_back(unknowns.of_film(foam, f));
+  const std::vector<FilmLagrangian::Each<Index>> films = unknowns.of_films(foam, region.films);
+  for (const auto& [a, a_y, b, b_y, left, right, angle] : films) {
     const TreePlace cut = common(leaf_of(a), leaf_of(b));
     raise(left, common(at(left), cut));
     raise(right, common(at(right), cut));

@@ -135,15 +135,4 @@ void NewtonMatrix::subtract_product(std::span<const double> x, std::span<double>
   }
 }
 
-void NewtonMatrix::subtract_product(std::span<const double> x,
-                                    std::span<const FilmLagrangian::Each<Index>> columns,
-                                    std::span<const Index> rows, std::span<double> from) const {
-  for (std::size_t u = 0; u < from.size(); ++u) {
-    from[u] -= regularisation_[u] * x[place_of(rows[u])];
-  }
-  for (std::size_t i = 0; i < films_.size(); ++i) {
-    foam::subtract_product(films_[i], columns[i], x, from);
-  }
-}
-
 } // namespace foam

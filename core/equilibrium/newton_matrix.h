@@ -48,10 +48,6 @@ public:
 
   /// from −= K·x.
   void subtract_product(std::span<const double> x, std::span<double> from) const;
-  /// The same where x is numbered otherwise: by `columns`, for each film in its place, and `rows`.
-  void subtract_product(std::span<const double> x,
-                        std::span<const FilmLagrangian::Each<Index>> columns,
-                        std::span<const Index> rows, std::span<double> from) const;
 
   /// By place in region.films; of an eliminated α the last row is what it was before.
   std::span<const FilmMatrix> shares() const { return films_; }

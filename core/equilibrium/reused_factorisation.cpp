@@ -39,32 +39,6 @@ void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::sp
   }
 }
 
-/// By the numbers of a region's unknowns, those that they have elsewhere, or kNone.
-/// \param elsewhere of the region's films
-std::vector<Index> renumbering(const NewtonMatrix& matrix,
-                               std::span<const FilmLagrangian::Each<Index>> elsewhere) {
-  std::vector<Index> numbers(place_of(matrix.unknowns().count()), kNone);
-  for (std::size_t i = 0; i < elsewhere.size(); ++i) {
-    const FilmLagrangian::Each<Index>& own = matrix.shares()[i].unknown;
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      if (own[k] != kNone) {
-        numbers[place_of(own[k])] = elsewhere[i][k];
-      }
-    }
-  }
-  return numbers;
-}
-
-std::vector<FilmLagrangian::Each<Index>>
-numbers_of(const Foam& foam, const std::vector<Film>& films, const Unknowns& unknowns) {
-  std::vector<FilmLagrangian::Each<Index>> numbers;
-  numbers.reserve(films.size());
-  for (const Film f : films) {
-    numbers.push_back(unknowns.of_film(foam, f));
-  }
-  return numbers;
-}
-
 } // namespace
 
 void ReusedFactorisation::analyse(const Foam& foam, const Region& region,
@@ -93,7 +67,8 @@ bool ReusedFactorisation::adapt(const Foam& foam, const Region& region,
                                 const NewtonMatrix& matrix) {
   solver_.round();
   if (topology_ != foam.topology) {
-    renumbering_ = renumbering(matrix, numbers_of(foam, region.films, unknowns_));
+    renumbering_ = renumbering(matrix.shares(), place_of(matrix.unknowns().count()),
+                               unknowns_.of_films(foam, region.films));
     topology_ = foam.topology;
   }
   std::vector<Bubble> bubbles = changed_bubbles(foam, region);
@@ -142,42 +117,32 @@ bool ReusedFactorisation::make_patch(const Foam& foam, const Region& region,
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;
   }
-  patch_ = std::make_unique<Patch>();
-  Patch& made = *patch_;
-  made.topology = foam.topology;
-  made.bubbles = std::move(bubbles);
   std::vector<char> keep_angle;
   for (const Film f : around.films) {
     keep_angle.push_back(keeps_angle(f) ? 1 : 0);
   }
-  made.matrix.set_up(foam, around, std::move(keep_angle));
-  made.matrix.assemble(foam, around, 0);
-  made.columns = numbers_of(foam, around.films, matrix.unknowns());
-  made.rows = renumbering(made.matrix, made.columns);
-  made.solver.analyse(nested_dissection(foam, around, made.matrix.unknowns()),
-                      made.matrix.shares());
-  if (made.solver.factorise(made.matrix.shares(), made.matrix.diagonal()) < 0) {
+  NewtonMatrix part;
+  part.set_up(foam, around, std::move(keep_angle));
+  part.assemble(foam, around, 0);
+  patch_ = std::make_unique<Patch>(Patch{foam.topology, std::move(bubbles), {}});
+  const bool regular =
+      patch_->correction.set_up({part.shares().begin(), part.shares().end()}, part.diagonal(),
+                                matrix.unknowns().of_films(foam, around.films),
+                                nested_dissection(foam, around, part.unknowns()));
+  if (!regular) {
     patch_.reset();
-    return false;
   }
-  return true;
+  return regular;
 }
 
 void ReusedFactorisation::solve(std::span<double> rhs) {
-  std::vector<double> rest;
-  if (patch_) {
-    for (const Index u : patch_->rows) {
-      rest.push_back(rhs[place_of(u)]);
-    }
+  if (!patch_) {
+    solve_as_before(rhs);
+    return;
   }
+  std::vector<double> load = patch_->correction.part_of(rhs);
   solve_as_before(rhs);
-  if (patch_) {
-    patch_->matrix.subtract_product(rhs, patch_->columns, patch_->rows, rest);
-    patch_->solver.solve(rest);
-    for (std::size_t u = 0; u < rest.size(); ++u) {
-      rhs[place_of(patch_->rows[u])] += rest[u];
-    }
-  }
+  patch_->correction.correct(std::move(load), rhs);
 }
 
 /// With the matrix that was factorised. What was not there then does not move, and its part of the

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/multifrontal_solver.h"
+#include "algebra/patch_correction.h"
 #include "equilibrium/newton_matrix.h"
 
 namespace foam {
@@ -15,10 +16,9 @@ namespace foam {
 /// The factorisation of a whole foam's or a patch's Newton matrix, which goes on serving while the
 /// foam moves and changes its topology in a few places.
 ///
-/// Where films have other neighbours since, or another shape, its solution is put right by a second
-/// solve: with the present matrix in a patch around those films, all else held (multiplicative
-/// Schwarz: B. F. Smith, P. E. Bjørstad, W. D. Gropp, Domain Decomposition, 1996, ch. 1). What is
-/// left is small and smooth, so that an iteration with it contracts.
+/// Where films have other neighbours since, or another shape, its solution is put right in a patch
+/// around those films, with the present matrix there. What is left is small and smooth, so that an
+/// iteration with it contracts.
 class ReusedFactorisation {
 public:
   /// Symbolic factorisation.
@@ -49,10 +49,7 @@ private:
   struct Patch {
     std::uint64_t topology = 0;
     std::vector<Bubble> bubbles; ///< at those films
-    NewtonMatrix matrix;
-    MultifrontalSolver solver;
-    std::vector<Index> rows;                          ///< its unknowns' numbers in the whole matrix
-    std::vector<FilmLagrangian::Each<Index>> columns; ///< its films' unknowns' numbers there
+    PatchCorrection<FilmLagrangian::kVariables> correction;
   };
   static FilmState state_of(const Foam& foam, Film film);
   bool changed(const Foam& foam, Film film) const;

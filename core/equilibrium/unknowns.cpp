@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "equilibrium/unknowns.h"
 
+#include <algorithm>
+
 namespace foam {
 
 void Unknowns::number(const Foam& foam, const Region& region, std::span<const char> keep_angle) {
@@ -38,6 +40,13 @@ FilmLagrangian::Each<Index> Unknowns::of_film(const Foam& foam, Film film) const
           pressure(foam.left(h)),
           pressure(foam.right(h)),
           angles_.at(film)};
+}
+
+std::vector<FilmLagrangian::Each<Index>> Unknowns::of_films(const Foam& foam,
+                                                            std::span<const Film> films) const {
+  std::vector<FilmLagrangian::Each<Index>> numbers(films.size());
+  std::ranges::transform(films, numbers.begin(), [&](Film f) { return of_film(foam, f); });
+  return numbers;
 }
 
 } // namespace foam

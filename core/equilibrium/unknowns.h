@@ -6,6 +6,7 @@
 
 #include "equilibrium/domain.h"
 #include "mesh/foam.h"
+#include "mesh/sparse_numbers.h"
 #include "physics/film_lagrangian.h"
 
 namespace foam {
@@ -25,35 +26,15 @@ public:
   /// A film's, in the order of FilmLagrangian; kNone for what is held, eliminated, or was not there
   /// when they were numbered.
   FilmLagrangian::Each<Index> of_film(const Foam& foam, Film film) const;
+  /// By place in the list.
+  std::vector<FilmLagrangian::Each<Index>> of_films(const Foam& foam,
+                                                    std::span<const Film> films) const;
   bool keeps_angle(Film film) const { return angles_.at(film) != kNone; }
 
 private:
-  /// Of some elements among many.
-  template <class Element> class Numbers {
-  public:
-    void clear(std::size_t capacity) {
-      for (const Element element : elements_) {
-        numbers_[element] = kNone;
-      }
-      elements_.clear();
-      numbers_.resize(capacity, kNone);
-    }
-    void put(Element element, Index number) {
-      elements_.push_back(element);
-      numbers_[element] = number;
-    }
-    Index at(Element element) const {
-      return element.place() < numbers_.size() ? numbers_[element] : kNone;
-    }
-
-  private:
-    Field<Element, Index> numbers_;
-    std::vector<Element> elements_; ///< that have one
-  };
-
-  Numbers<Junction> junctions_; ///< of x; that of y follows
-  Numbers<Bubble> bubbles_;
-  Numbers<Film> angles_;
+  SparseNumbers<Junction> junctions_; ///< of x; that of y follows
+  SparseNumbers<Bubble> bubbles_;
+  SparseNumbers<Film> angles_;
   Index first_pressure_ = 0;
   Index first_angle_ = 0;
   Index count_ = 0;

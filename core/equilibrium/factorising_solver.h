@@ -9,9 +9,9 @@
 #include "equilibrium/domain.h"
 #include "equilibrium/evaluation.h"
 #include "equilibrium/newton_matrix.h"
-#include "equilibrium/rates.h"
 #include "equilibrium/reused_factorisation.h"
 #include "parallel/host.h"
+#include "physics/rates.h"
 
 namespace foam::newton {
 

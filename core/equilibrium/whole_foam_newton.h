@@ -3,7 +3,6 @@
 // Newton's method for a whole foam on an executor (parallel/host.h), every step of it in parallel.
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -27,18 +26,6 @@ inline void note(Foam& foam, const NewtonResult& result) {
   foam.t1_count += result.t1;
   foam.topology += static_cast<std::uint64_t>(result.t1);
   foam.report = result.report;
-}
-
-/// √(mean target area) of a mesh's bubbles, cm (Foam::mean_spacing).
-template <class Executor> double mean_spacing(Executor& executor, const ConstFoamView& mesh) {
-  const double total = executor.reduce(
-      mesh.bubble_slots(), 0.0,
-      FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? mesh.target_area[b] : 0.0; },
-      parallel::Add{});
-  const Index count = executor.reduce(
-      mesh.bubble_slots(), Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
-      parallel::Add{});
-  return std::sqrt(total / std::max(count, Index{1}));
 }
 
 template <class Executor> class WholeFoamNewton {
@@ -82,7 +69,8 @@ private:
     Problem(Executor& executor, const FoamView& mesh, SwapsAtOnce<Executor>& swaps,
             double t1_length)
         : mesh_(mesh),
-          domain_(whole_mesh(const_view(mesh), mean_spacing(executor, const_view(mesh)))),
+          domain_(whole_mesh(const_view(mesh), mean_spacing(executor, const_view(mesh),
+                                                            Elements(mesh.bubble_slots())))),
           swaps_(swaps), t1_length_(t1_length) {
       swaps_.begin(mesh_);
     }

@@ -16,21 +16,19 @@ Domain domain_of(const Region& region) {
 Region whole_foam(const Foam& foam) {
   Region region;
   region.whole = true;
-  for (const Junction j : foam.junction_slots()) {
-    if (foam.moves(j)) {
-      region.junctions.push_back(j);
+  const auto list = [](auto slots, const auto& counts, auto& to) {
+    for (const auto element : slots) {
+      if (counts(element)) {
+        to.push_back(element);
+      }
     }
-  }
-  for (const Film f : foam.film_slots()) {
-    if (foam.bends(f)) {
-      region.films.push_back(f);
-    }
-  }
-  for (const Bubble b : foam.bubble_slots()) {
-    if (foam.has_bubble(b)) {
-      region.bubbles.push_back(b);
-    }
-  }
+  };
+  list(
+      foam.junction_slots(), [&](Junction j) { return foam.moves(j); }, region.junctions);
+  list(
+      foam.film_slots(), [&](Film f) { return foam.bends(f); }, region.films);
+  list(
+      foam.bubble_slots(), [&](Bubble b) { return foam.has_bubble(b); }, region.bubbles);
   Host host;
   region.spacing = mean_spacing(host, view_of(foam), Elements(region.bubbles));
   return region;

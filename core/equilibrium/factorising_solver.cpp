@@ -36,7 +36,7 @@ Index surplus(const Foam& foam, const Residual& residual) {
 } // namespace
 
 void FactorisingSolver::reset() {
-  ready_ = false;
+  topology_.reset();
   factorised_ = false;
   shift_ = 0;
 }
@@ -51,7 +51,6 @@ void FactorisingSolver::set_up(const Foam& foam, Region region) {
   }
   region_ = std::move(region);
   topology_ = foam.topology;
-  ready_ = true;
   adapted_ = false;
   std::vector<char> keep_angle;
   for (const Film f : region_.films) {

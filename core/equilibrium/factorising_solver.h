@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ public:
   /// factorisation at hand is kept, to be adapted before it serves.
   void set_up(const Foam& foam, Region region);
   /// Whether set_up() has been called for a region of this very topology.
-  bool fits(const Foam& foam) const { return ready_ && topology_ == foam.topology; }
+  bool fits(const Foam& foam) const { return topology_ == foam.topology; }
   bool factorised() const { return factorised_; }
   const Region& region() const { return region_; }
   /// Forgets everything.
@@ -70,10 +71,9 @@ private:
 
   Host host_;
   Region region_;
-  std::uint64_t topology_ = 0;
-  bool ready_ = false;
-  bool analysed_ = false;   ///< the symbolic factorisation is that of the matrix
-  bool assembled_ = false;  ///< the matrix is that of the state at hand, not shifted
+  std::optional<std::uint64_t> topology_; ///< of the foam; none before set_up()
+  bool analysed_ = false;                 ///< the symbolic factorisation is that of the matrix
+  bool assembled_ = false;                ///< the matrix is that of the state at hand, not shifted
   bool factorised_ = false; ///< the factorisation is one of a matrix with the right inertia
   bool adapted_ = false;    ///< it has been adapted since the equilibration began, or is new
   double shift_ = 0;        ///< of the last one

@@ -166,16 +166,10 @@ FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film
                                             const Units& units, double convexification,
                                             const double* solution) {
   constexpr auto k = FilmLagrangian::kAngle;
-  const Half h = film.half();
   const FilmLagrangian phi = film_derivatives(mesh, film, units, convexification);
-  const Vec2 a = displacement(solution, mesh.start(h));
-  const Vec2 b = displacement(solution, mesh.end(h));
-  const FilmLagrangian::Each<double> change{a.x,
-                                            a.y,
-                                            b.x,
-                                            b.y,
-                                            pressure_in(mesh, solution, mesh.left(h)),
-                                            pressure_in(mesh, solution, mesh.right(h))};
+  const auto change = film_variables(
+      mesh, film, [&](Junction j) { return displacement(solution, j); },
+      [&](Bubble b) { return pressure_in(mesh, solution, b); }, 0);
   return eliminated_angle(phi.gradient[k], phi.hessian[k].data(), change);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "equilibrium/newton_matrix.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "equilibrium/zero_modes.h"
@@ -56,15 +57,11 @@ bool NewtonMatrix::assemble(const Foam& foam, const Region& region, double shift
   }
   const double tension = foam.reference_tension();
   const double spacing = region.spacing;
-  const auto first_pressure = place_of(unknowns_.first_pressure());
-  const auto first_angle = place_of(unknowns_.first_angle());
   regularisation_.assign(place_of(unknowns_.count()), 0);
-  for (std::size_t u = 0; u < first_pressure; ++u) {
-    regularisation_[u] = (shift + kRegularisation) * tension / spacing;
-  }
-  for (std::size_t u = first_pressure; u < first_angle; ++u) {
-    regularisation_[u] = -kRegularisation * spacing * spacing * spacing / tension;
-  }
+  const auto pressures = regularisation_.begin() + unknowns_.first_pressure();
+  std::fill(regularisation_.begin(), pressures, (shift + kRegularisation) * tension / spacing);
+  std::fill_n(pressures, region.bubbles.size(),
+              -kRegularisation * spacing * spacing * spacing / tension);
   diagonal_ = regularisation_;
   const bool pinned = region.whole && shift == 0;
   if (pinned && foam.surroundings.translates()) {
@@ -72,7 +69,7 @@ bool NewtonMatrix::assemble(const Foam& foam, const Region& region, double shift
     diagonal_[1] += tension / spacing;
   }
   if (pinned && foam.surroundings.closed()) {
-    diagonal_[first_pressure] -= spacing * spacing * spacing / tension;
+    diagonal_[place_of(unknowns_.first_pressure())] -= spacing * spacing * spacing / tension;
   }
   return true;
 }

@@ -40,19 +40,18 @@ public:
   /// Where it throws Aborted the mesh is somewhere in between.
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
     Problem problem(executor_, mesh, swaps_, t1_length);
-    NewtonResult result;
+    int iterations = 0;
     const int before = solver_.iterations();
-    const Outcome outcome =
-        newton_.relax(problem, solver_, options_.tolerance, result.report.iterations,
-                      options_.maximum_iterations, aborted);
+    const Outcome outcome = newton_.relax(problem, solver_, options_.tolerance, iterations,
+                                          options_.maximum_iterations, aborted);
     const EquilibriumMeasures measures = measure_equilibrium(executor_, const_view(mesh));
-    result.report.converged = outcome.converged;
-    result.report.max_angle_error = measures.angle_error;
-    result.report.max_area_error = measures.area_error;
-    result.report.residual = outcome.residual.largest();
-    result.t1 = problem.swapped();
-    result.inner_iterations = solver_.iterations() - before;
-    return result;
+    return {.report = {.converged = outcome.converged,
+                       .iterations = iterations,
+                       .max_angle_error = measures.angle_error,
+                       .max_area_error = measures.area_error,
+                       .residual = outcome.residual.largest()},
+            .t1 = problem.swapped(),
+            .inner_iterations = solver_.iterations() - before};
   }
 
   /// Whether a mesh is so far from equilibrium that some film is in the way of Newton's first step:

@@ -4,7 +4,6 @@
 // eliminated, in few numbers.
 #pragma once
 
-#include "mesh/ids.h"
 #include "physics/film_lagrangian.h"
 
 namespace foam {

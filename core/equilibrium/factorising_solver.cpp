@@ -59,7 +59,6 @@ void FactorisingSolver::set_up(const Foam& foam, Region region) {
   }
   matrix_.set_up(foam, region_, std::move(keep_angle));
   assembled_ = false;
-  analysed_ = false;
   factorised_ = adapts;
 }
 
@@ -115,8 +114,6 @@ bool FactorisingSolver::assemble(const Foam& foam, double shift) {
   }
   const bool same_unknowns = matrix_.assemble(foam, region_, shift);
   assembled_ = same_unknowns && shift == 0;
-  analysed_ = analysed_ && same_unknowns;
-  factorised_ = factorised_ && same_unknowns;
   return same_unknowns;
 }
 
@@ -129,10 +126,6 @@ bool FactorisingSolver::factorise(const Foam& foam, Index surplus) {
   while (shift <= kLargestShift) {
     if (!assemble(foam, shift)) {
       continue;
-    }
-    if (!analysed_) {
-      factorisation_.analyse(foam, region_, matrix_);
-      analysed_ = true;
     }
     const Index negative = factorisation_.factorise(foam, region_, matrix_);
     if (negative >= constraints && negative - constraints <= surplus) {
@@ -148,10 +141,7 @@ bool FactorisingSolver::factorise(const Foam& foam, Index surplus) {
 /// Makes the last factorisation of a whole foam serve for where it has moved since. \returns false
 /// if that is too far.
 bool FactorisingSolver::adapt(const Foam& foam) {
-  if (factorised_) {
-    assemble(foam, 0);
-  }
-  factorised_ = factorised_ &&
+  factorised_ = factorised_ && assemble(foam, 0) &&
                 (!region_.whole || (shift_ == 0 && factorisation_.adapt(foam, region_, matrix_)));
   return factorised_;
 }

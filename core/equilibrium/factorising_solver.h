@@ -72,7 +72,6 @@ private:
   Host host_;
   Region region_;
   std::optional<std::uint64_t> topology_; ///< of the foam; none before set_up()
-  bool analysed_ = false;                 ///< the symbolic factorisation is that of the matrix
   bool assembled_ = false;                ///< the matrix is that of the state at hand, not shifted
   bool factorised_ = false; ///< the factorisation is one of a matrix with the right inertia
   bool adapted_ = false;    ///< it has been adapted since the equilibration began, or is new

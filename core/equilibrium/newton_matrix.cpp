@@ -37,6 +37,7 @@ bool NewtonMatrix::angle_is_delicate(const Foam& foam, Film film) {
 void NewtonMatrix::set_up(const Foam& foam, const Region& region, std::vector<char> keep_angle) {
   keep_angle_ = std::move(keep_angle);
   unknowns_.number(foam, region, keep_angle_);
+  ++numbering_;
   films_.assign(region.films.size(), {});
   for (std::size_t i = 0; i < films_.size(); ++i) {
     films_[i].unknown = unknowns_.of_film(foam, region.films[i]);

@@ -37,6 +37,8 @@ public:
   bool assemble(const Foam& foam, const Region& region, double shift);
 
   const Unknowns& unknowns() const { return unknowns_; }
+  /// Changes whenever they are numbered.
+  int numbering() const { return numbering_; }
 
   /// What the half-angles' residuals ∂φ/∂α (by place) do to a right-hand side: rhs −= ∂φ/∂α where
   /// they are kept, rhs += Bᵀ·∂φ/∂α/∂²φ/∂α² where they are eliminated.
@@ -59,6 +61,7 @@ private:
   bool assemble_film(const Foam& foam, Film film, FilmMatrix& share, double shift) const;
 
   Unknowns unknowns_;
+  int numbering_ = 0;
   std::vector<char> keep_angle_; ///< by place
   std::vector<FilmMatrix> films_;
   std::vector<double> regularisation_; ///< by unknown

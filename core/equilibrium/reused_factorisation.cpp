@@ -41,11 +41,6 @@ void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::sp
 
 } // namespace
 
-void ReusedFactorisation::analyse(const Foam& foam, const Region& region,
-                                  const NewtonMatrix& matrix) {
-  solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
-}
-
 Index ReusedFactorisation::factorise(const Foam& foam, const Region& region,
                                      const NewtonMatrix& matrix) {
   renumbering_.clear();
@@ -59,6 +54,10 @@ Index ReusedFactorisation::factorise(const Foam& foam, const Region& region,
     for (const Film f : region.films) {
       films_[f] = state_of(foam, f);
     }
+  }
+  if (numbering_ != matrix.numbering()) {
+    solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
+    numbering_ = matrix.numbering();
   }
   return solver_.factorise(matrix.shares(), matrix.diagonal());
 }
@@ -87,22 +86,17 @@ ReusedFactorisation::FilmState ReusedFactorisation::state_of(const Foam& foam, F
           foam.half_angle(h)};
 }
 
-bool ReusedFactorisation::changed(const Foam& foam, Film film) const {
-  if (film.place() >= films_.size()) {
-    return true;
-  }
-  const FilmState now = state_of(foam, film);
-  const FilmState& before = films_[film];
-  return now.ends != before.ends || now.sides != before.sides ||
-         norm(now.chord - before.chord) > kLargestChange * norm(before.chord) ||
-         std::abs(now.angle - before.angle) > kLargestChange;
+bool ReusedFactorisation::FilmState::changed(const FilmState& now) const {
+  return now.ends != ends || now.sides != sides ||
+         norm(now.chord - chord) > kLargestChange * norm(chord) ||
+         std::abs(now.angle - angle) > kLargestChange;
 }
 
 std::vector<Bubble> ReusedFactorisation::changed_bubbles(const Foam& foam,
                                                          const Region& region) const {
   std::vector<Bubble> bubbles;
   for (const Film f : region.films) {
-    if (changed(foam, f)) {
+    if (f.place() >= films_.size() || films_[f].changed(state_of(foam, f))) {
       bubbles.insert(bubbles.end(), {foam.left(f.half()), foam.right(f.half())});
     }
   }

@@ -21,8 +21,6 @@ namespace foam {
 /// iteration with it contracts.
 class ReusedFactorisation {
 public:
-  /// Symbolic factorisation.
-  void analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// \returns the number of negative pivots, or −1 if it cannot be factorised.
   Index factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
 
@@ -44,6 +42,9 @@ private:
     std::array<Bubble, 2> sides;  ///< left, right
     Vec2 chord;
     double angle = 0;
+
+    /// Whether it has become another since.
+    bool changed(const FilmState& now) const;
   };
   /// Around the films that have changed.
   struct Patch {
@@ -52,12 +53,12 @@ private:
     PatchCorrection<FilmLagrangian::kVariables> correction;
   };
   static FilmState state_of(const Foam& foam, Film film);
-  bool changed(const Foam& foam, Film film) const;
   std::vector<Bubble> changed_bubbles(const Foam& foam, const Region& region) const;
   bool make_patch(const Foam& foam, const Region& region, std::vector<Bubble> bubbles,
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;
+  int numbering_ = 0; ///< of the matrix that was analysed
   bool whole_ = false;
   Surroundings surroundings_;
   Unknowns unknowns_;

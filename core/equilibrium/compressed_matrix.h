@@ -49,50 +49,43 @@ private:
     y.add(own + 1, diagonal);
     if (mesh.moves(junction)) {
       for (const Half h : mesh.junction_half[junction]) {
-        const FilmStiffness& f = matrix.film[h.film()];
-        add_block(x, y, own, f, 1, 0);
-        if (mesh.moves(mesh.end(h))) {
-          add_block(x, y, 2 * mesh.end(h).index(), f, -1, h.reversed() ? -f.jump : f.jump);
-        }
+        const auto film = matrix.film[h.film()].matrix();
+        const std::size_t first = h.reversed() ? 2 : 0;
+        add(x, h.film(), film[first]);
+        add(y, h.film(), film[first + 1]);
       }
     }
     rows.finish(x);
     rows.finish(y);
   }
 
-  /// sign · (xx, xy; xy, yy) + jump · (0, −1; 1, 0)
-  FOAM_HOST_DEVICE static void add_block(GrowingRow& x, GrowingRow& y, Index at,
-                                         const FilmStiffness& f, double sign, double jump) {
-    x.add(at, sign * f.xx);
-    x.add(at + 1, sign * f.xy - jump);
-    y.add(at, sign * f.xy + jump);
-    y.add(at + 1, sign * f.yy);
-  }
-
   FOAM_HOST_DEVICE void list_bubble(Bubble bubble, const GrowingRows& rows) const {
     const ConstFoamView& mesh = matrix.mesh;
-    const Index first = 2 * mesh.junctions;
-    const Index own = first + bubble.index();
-    GrowingRow row = rows.begun(own);
-    row.add(own, mesh.has_bubble(bubble) ? -kRegularisation : 1);
+    GrowingRow row = rows.begun(2 * mesh.junctions + bubble.index());
+    row.add(row.row, mesh.has_bubble(bubble) ? -kRegularisation : 1);
     if (mesh.has_bubble(bubble)) {
       for_each_half(mesh, bubble, [&](Half h) {
-        const FilmStiffness& f = matrix.film[h.film()];
-        add_slope(row, mesh.start(h), f.start_slope(h));
-        add_slope(row, mesh.end(h), f.end_slope(h));
-        row.add(own, -f.compliance);
-        if (!mesh.right(h).is_outside()) {
-          row.add(first + mesh.right(h).index(), f.compliance);
-        }
+        add(row, h.film(), matrix.film[h.film()].matrix()[h.reversed() ? 5 : 4]);
       });
     }
     rows.finish(row);
   }
 
-  FOAM_HOST_DEVICE void add_slope(GrowingRow& row, Junction junction, Vec2 slope) const {
-    if (matrix.mesh.moves(junction)) {
-      row.add(2 * junction.index(), -slope.x);
-      row.add(2 * junction.index() + 1, -slope.y);
+  /// Adds a row of a film's matrix, but for what is held.
+  FOAM_HOST_DEVICE void add(GrowingRow& row, Film film,
+                            const std::array<double, 6>& entries) const {
+    const ConstFoamView& mesh = matrix.mesh;
+    const Half h = film.half();
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Junction junction = end == 0 ? mesh.start(h) : mesh.end(h);
+      if (mesh.moves(junction)) {
+        row.add(2 * junction.index(), entries[2 * end]);
+        row.add(2 * junction.index() + 1, entries[2 * end + 1]);
+      }
+      const Bubble bubble = end == 0 ? mesh.left(h) : mesh.right(h);
+      if (!bubble.is_outside()) {
+        row.add(2 * mesh.junctions + bubble.index(), entries[4 + end]);
+      }
     }
   }
 };

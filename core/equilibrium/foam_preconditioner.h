@@ -27,14 +27,6 @@
 
 namespace foam::newton {
 
-/// How a bubble's area grows with its junction between halves k and k + 1 of it.
-FOAM_HOST_DEVICE inline Vec2 area_slope(const WholeFoamMatrix& matrix,
-                                        const std::array<Half, 3>& halves, std::size_t k) {
-  const Half h = halves[k];
-  const Half next = halves[(k + 1) % 3];
-  return matrix.film[h.film()].start_slope(h) - matrix.film[next.film()].start_slope(next);
-}
-
 /// The solid A + BᵀWB.
 struct Solid {
   using Place = Junction; ///< of a row
@@ -71,10 +63,13 @@ struct Solid {
     }
     const std::array<Half, 3>& halves = mesh.junction_half[junction];
     for (std::size_t k = 0; k < 3; ++k) {
-      sum.add_square(across[halves[k].film()], 1);
-      const Bubble bubble = mesh.left(halves[k]);
-      if (!bubble.is_outside()) {
-        sum.add_square(area_slope(matrix, halves, k), bulk[bubble]);
+      const Half h = halves[k];
+      const Half next = halves[(k + 1) % 3];
+      sum.add_square(across[h.film()], 1);
+      if (const Bubble bubble = mesh.left(h); !bubble.is_outside()) {
+        sum.add_square(matrix.film[h.film()].start_slope(h) -
+                           matrix.film[next.film()].start_slope(next),
+                       bulk[bubble]);
       }
     }
     return sum;

@@ -30,6 +30,17 @@ struct FilmStiffness {
   FOAM_HOST_DEVICE double growth(Half h, Vec2 start, Vec2 end) const {
     return dot(start_slope(h), start) + dot(end_slope(h), end);
   }
+  /// All second derivatives, in the order of FilmLagrangian.
+  FOAM_HOST_DEVICE std::array<std::array<double, 6>, 6> matrix() const {
+    const Vec2 a = segment - polygon;
+    const Vec2 b = -segment - polygon;
+    return {{{xx, xy, -xx, -xy - jump, a.x, -a.x},
+             {xy, yy, -xy + jump, -yy, a.y, -a.y},
+             {-xx, -xy + jump, xx, xy, b.x, -b.x},
+             {-xy - jump, -yy, xy, yy, b.y, -b.y},
+             {a.x, a.y, b.x, b.y, -compliance, compliance},
+             {-a.x, -a.y, -b.x, -b.y, compliance, -compliance}}};
+  }
 };
 
 FOAM_HOST_DEVICE inline FilmStiffness film_stiffness(FilmLagrangian phi) {

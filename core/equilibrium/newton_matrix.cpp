@@ -28,6 +28,24 @@ double stiffness(const Foam& foam, Film film) {
   return foam.tension(film) * norm(foam.chord(film.half()));
 }
 
+/// \returns false if the film's angle must be kept but is not.
+bool assemble_film(const Foam& foam, Film film, double shift, FilmMatrix& share) {
+  FilmLagrangian phi = lagrangian_of(foam, film);
+  const double scale = stiffness(foam, film);
+  phi.hessian[kAngle][kAngle] += shift * scale;
+  if (share.unknown[kAngle] == kNone) {
+    if (phi.hessian[kAngle][kAngle] < kEliminateTo * scale) {
+      return false;
+    }
+    eliminate_angle(phi);
+  }
+  for_each_lower<FilmLagrangian::kVariables>(
+      [&](std::size_t row, std::size_t column, std::size_t k) {
+        share.value[k] = phi.hessian[row][column];
+      });
+  return true;
+}
+
 } // namespace
 
 bool NewtonMatrix::angle_is_delicate(const Foam& foam, Film film) {
@@ -48,7 +66,7 @@ bool NewtonMatrix::assemble(const Foam& foam, const Region& region, double shift
   std::vector<char> keep = keep_angle_;
   Host().for_each(static_cast<Index>(films_.size()), [&](Index i) {
     const std::size_t place = place_of(i);
-    if (!assemble_film(foam, region.films[place], films_[place], shift)) {
+    if (!assemble_film(foam, region.films[place], shift, films_[place])) {
       keep[place] = 1;
     }
   });
@@ -72,24 +90,6 @@ bool NewtonMatrix::assemble(const Foam& foam, const Region& region, double shift
   if (pinned && foam.surroundings.closed()) {
     diagonal_[place_of(unknowns_.first_pressure())] -= spacing * spacing * spacing / tension;
   }
-  return true;
-}
-
-bool NewtonMatrix::assemble_film(const Foam& foam, Film film, FilmMatrix& share,
-                                 double shift) const {
-  FilmLagrangian phi = lagrangian_of(foam, film);
-  const double scale = stiffness(foam, film);
-  phi.hessian[kAngle][kAngle] += shift * scale;
-  if (share.unknown[kAngle] == kNone) {
-    if (phi.hessian[kAngle][kAngle] < kEliminateTo * scale) {
-      return false;
-    }
-    eliminate_angle(phi);
-  }
-  for_each_lower<FilmLagrangian::kVariables>(
-      [&](std::size_t row, std::size_t column, std::size_t k) {
-        share.value[k] = phi.hessian[row][column];
-      });
   return true;
 }
 

@@ -57,9 +57,6 @@ public:
   const std::vector<double>& diagonal() const { return diagonal_; }
 
 private:
-  /// \returns false if the film's angle must be kept but is not.
-  bool assemble_film(const Foam& foam, Film film, FilmMatrix& share, double shift) const;
-
   Unknowns unknowns_;
   int numbering_ = 0;
   std::vector<char> keep_angle_; ///< by place

@@ -9,6 +9,7 @@
 
 #include "algebra/dense_elimination.h"
 #include "algebra/generalised_conjugate_residuals.h"
+#include "algebra/patch_correction.h"
 #include "equilibrium/nested_dissection.h"
 #include "equilibrium/newton_matrix.h"
 #include "foams.h"
@@ -182,6 +183,30 @@ TEST(Multifrontal, RefusesAMatrixThatIsSingular) {
     share.value.fill(0);
   }
   EXPECT_EQ(solver.factorise(std::span<const FilmMatrix>(shares), nothing), -1);
+}
+
+TEST(PatchCorrection, RestoresASolutionThatIsWrongInThePatchAlone) {
+  const Foam foam = test::random_foam(300, Boundary::Periodic);
+  const System whole(foam, whole_foam(foam), false);
+  const System part(foam, patch(foam, std::array{Bubble(150)}, 1), false);
+  const auto columns = whole.matrix.unknowns().of_films(foam, part.region.films);
+  const Eigen::VectorXd solution = some_load(whole.dense.rows());
+  const Eigen::VectorXd load = whole.dense * solution;
+  Eigen::VectorXd found = solution;
+  for (std::size_t f = 0; f < columns.size(); ++f) {
+    for (std::size_t k = 0; k < columns[f].size(); ++k) {
+      if (part.matrix.shares()[f].unknown[k] != kNone) {
+        found[columns[f][k]] += 0.1 * static_cast<double>(k + 1);
+      }
+    }
+  }
+  EXPECT_GT((found - solution).norm(), 1);
+  PatchCorrection<7> correction;
+  ASSERT_TRUE(correction.set_up({part.matrix.shares().begin(), part.matrix.shares().end()},
+                                part.matrix.diagonal(), columns, part.tree(foam)));
+  const auto size = static_cast<std::size_t>(found.size());
+  correction.correct(correction.part_of({load.data(), size}), {found.data(), size});
+  EXPECT_LT((found - solution).norm(), 1e-6 * solution.norm()); // regularised a little otherwise
 }
 
 /// K = L·D·Lᵀ put together again, for sizes around those of tiles and blocks.

@@ -52,11 +52,10 @@ void FactorisingSolver::set_up(const Foam& foam, Region region) {
   region_ = std::move(region);
   topology_ = foam.topology;
   adapted_ = false;
-  std::vector<char> keep_angle;
-  for (const Film f : region_.films) {
-    keep_angle.push_back(adapts ? factorisation_.keeps_angle(f)
-                                : NewtonMatrix::angle_is_delicate(foam, f));
-  }
+  std::vector<char> keep_angle(region_.films.size());
+  std::ranges::transform(region_.films, keep_angle.begin(), [&](Film f) {
+    return adapts ? factorisation_.keeps_angle(f) : NewtonMatrix::angle_is_delicate(foam, f);
+  });
   matrix_.set_up(foam, region_, std::move(keep_angle));
   assembled_ = false;
   factorised_ = adapts;

@@ -84,8 +84,9 @@ template <class Executor> void before_row(Executor& executor, const Solid& solid
         double growth = 0;
         if (mesh.has_bubble(b)) {
           for_each_half(mesh, b, [&](Half h) {
-            growth += solid.matrix.film[h.film()].growth(h, displacement(x, mesh.start(h)),
-                                                         displacement(x, mesh.end(h)));
+            const FilmStiffness& f = solid.matrix.film[h.film()];
+            growth += dot(f.start_slope(h), displacement(x, mesh.start(h))) +
+                      dot(f.end_slope(h), displacement(x, mesh.end(h)));
           });
         }
         solid.squeeze[b] = solid.bulk[b] * growth;

@@ -90,7 +90,8 @@ struct WholeFoamMatrix {
     double growth = 0;
     for_each_half(mesh, bubble, [&](Half h) {
       const FilmStiffness& f = film[h.film()];
-      growth += f.growth(h, displacement(x, mesh.start(h)), displacement(x, mesh.end(h))) +
+      growth += dot(f.start_slope(h), displacement(x, mesh.start(h))) +
+                dot(f.end_slope(h), displacement(x, mesh.end(h))) +
                 f.compliance * (own - pressure_in(mesh, x, mesh.right(h)));
     });
     return -growth;

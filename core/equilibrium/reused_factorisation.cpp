@@ -111,10 +111,9 @@ bool ReusedFactorisation::make_patch(const Foam& foam, const Region& region,
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;
   }
-  std::vector<char> keep_angle;
-  for (const Film f : around.films) {
-    keep_angle.push_back(keeps_angle(f) ? 1 : 0);
-  }
+  std::vector<char> keep_angle(around.films.size());
+  std::ranges::transform(around.films, keep_angle.begin(),
+                         [&](Film f) { return keeps_angle(f) ? 1 : 0; });
   NewtonMatrix part;
   part.set_up(foam, around, std::move(keep_angle));
   part.assemble(foam, around, 0);

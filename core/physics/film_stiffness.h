@@ -26,10 +26,6 @@ struct FilmStiffness {
   FOAM_HOST_DEVICE Vec2 end_slope(Half h) const {
     return (h.reversed() ? -polygon : polygon) + segment;
   }
-  /// How much it grows as h's ends move.
-  FOAM_HOST_DEVICE double growth(Half h, Vec2 start, Vec2 end) const {
-    return dot(start_slope(h), start) + dot(end_slope(h), end);
-  }
   /// All second derivatives, in the order of FilmLagrangian.
   FOAM_HOST_DEVICE std::array<std::array<double, 6>, 6> matrix() const {
     const Vec2 a = segment - polygon;

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "equilibrium/krylov_solver.h"
-#include "equilibrium/measures.h"
 #include "equilibrium/newton.h"
 #include "equilibrium/options.h"
 #include "equilibrium/swaps.h"
+#include "physics/equilibrium_measures.h"
 
 namespace foam::newton {
 

@@ -34,8 +34,8 @@ public:
         solution_(place_of(newton::size_of(mesh_))) {}
 
   void set_up() {
-    linearise(host_, mesh_, units_, 0, FieldView<Film, newton::FilmStiffness>(stiffness_.data()),
-              FieldView<Film, newton::FilmGradient>(gradient_.data()));
+    linearise(host_, mesh_, units_, 0, FieldView<Film, FilmStiffness>(stiffness_.data()),
+              FieldView<Film, FilmGradient>(gradient_.data()));
     preconditioner_.set_up(matrix(), units_);
   }
 
@@ -49,14 +49,14 @@ public:
 
 private:
   newton::WholeFoamMatrix matrix() const {
-    return {mesh_, FieldView<Film, const newton::FilmStiffness>(stiffness_.data())};
+    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data())};
   }
 
   Host host_{1};
   ConstFoamView mesh_;
   newton::Units units_;
-  std::vector<newton::FilmStiffness> stiffness_;
-  std::vector<newton::FilmGradient> gradient_;
+  std::vector<FilmStiffness> stiffness_;
+  std::vector<FilmGradient> gradient_;
   std::vector<double> solution_;
   newton::FoamPreconditioner<Host> preconditioner_{host_};
   MinimalResidual<Host> solver_{host_};

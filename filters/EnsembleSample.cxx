@@ -18,7 +18,7 @@
 #include "FilmReading.h"
 #include "Message.h"
 #include "StatisticsTables.h"
-#include "equilibrium/equilibrator.h"
+#include "physics/equilibrium_measures.h"
 #include "statistics/ensemble.h"
 #include "statistics/statistics.h"
 

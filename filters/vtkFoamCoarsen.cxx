@@ -19,7 +19,7 @@
 #include "Message.h"
 #include "PipelineRequest.h"
 #include "coarsening/end.h"
-#include "equilibrium/equilibrator.h"
+#include "physics/equilibrium_measures.h"
 
 vtkStandardNewMacro(vtkFoamCoarsen);
 

@@ -22,6 +22,7 @@
 #include "PipelineRequest.h"
 #include "construct/from_points.h"
 #include "engines/engines.h"
+#include "physics/equilibrium_measures.h"
 #include "sampling/sampled_foam.h"
 
 vtkStandardNewMacro(vtkFoamFromPoints);

@@ -20,7 +20,7 @@
 #include "MeasuredSides.h"
 #include "PipelineRequest.h"
 #include "StatisticsTables.h"
-#include "equilibrium/equilibrator.h"
+#include "physics/equilibrium_measures.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
 

@@ -32,15 +32,15 @@ public:
         stiffness_(place_of(mesh.films)), gradient_(place_of(mesh.films)),
         preconditioner_(executor), compressed_(executor) {
     linearise(executor, mesh_, units_, convexification,
-              FieldView<Film, newton::FilmStiffness>(stiffness_.data()),
-              FieldView<Film, newton::FilmGradient>(gradient_.data()));
+              FieldView<Film, FilmStiffness>(stiffness_.data()),
+              FieldView<Film, FilmGradient>(gradient_.data()));
     preconditioner_.set_up(matrix(), units_);
   }
 
   Index size() const { return newton::size_of(mesh_); }
   const newton::Units& units() const { return units_; }
   newton::WholeFoamMatrix matrix() const {
-    return {mesh_, FieldView<Film, const newton::FilmStiffness>(stiffness_.data())};
+    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data())};
   }
   bool is_unknown(Index i) const {
     return i < 2 * mesh_.junctions ? mesh_.moves(Junction(i / 2))
@@ -53,7 +53,7 @@ public:
     newton::Evaluation<Executor> state;
     state.evaluate(executor_, mesh_, domain_);
     gather_load(executor_, mesh_, units_, state.areas(),
-                FieldView<Film, const newton::FilmGradient>(gradient_.data()), to);
+                FieldView<Film, const FilmGradient>(gradient_.data()), to);
   }
   /// Takes out of a solution, or of a load, what costs nothing.
   void remove_common_pressure(double* x) {
@@ -61,7 +61,7 @@ public:
                                    newton::pressures_of(mesh_, x));
   }
   void remove_rigid_motion(double* x) { newton::remove_rigid_motion(executor_, mesh_, domain_, x); }
-  LowerTriangle assemble() { return compressed_.assemble(matrix()); }
+  LowerTriangle assemble() { return compressed_.assemble(newton::CompressedMatrix{matrix()}); }
   int solve(const double* right, double* x, double tolerance, int most = 500) {
     return MinimalResidual<Executor>(executor_).solve(
         size(), right, x, tolerance, most,
@@ -74,10 +74,10 @@ private:
   ConstFoamView mesh_;
   Domain domain_;
   newton::Units units_;
-  typename Executor::template Array<newton::FilmStiffness> stiffness_;
-  typename Executor::template Array<newton::FilmGradient> gradient_;
+  typename Executor::template Array<FilmStiffness> stiffness_;
+  typename Executor::template Array<FilmGradient> gradient_;
   newton::FoamPreconditioner<Executor> preconditioner_;
-  newton::CompressedMatrix<Executor> compressed_;
+  CompressedRows<Executor> compressed_;
 };
 
 } // namespace foam::test

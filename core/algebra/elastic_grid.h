@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "algebra/displacements.h"
+#include "geometry/lattice.h"
 
 namespace foam::multigrid {
 
@@ -72,6 +73,25 @@ struct Grid {
   }
   Grid coarsened() const { return {columns / 2, rows / 2, wraps, origin, 2 * across, 2 * along}; }
 };
+
+/// A grid over a cell, on a torus or not, with cells as wide as asked for, or a little less or
+/// more: so many that they can be halved until less than eight are left along the shorter side.
+inline Grid grid_over(const Lattice& cell, bool wraps, double width) {
+  const double across = norm(cell.first);
+  const double along = norm(cell.second);
+  Index halvings = 0;
+  for (double shorter = std::min(across, along) / width; shorter >= 8; shorter /= 2) {
+    ++halvings;
+  }
+  const auto count = [&](double length) {
+    const double cells = length / width / std::exp2(halvings);
+    return std::max(Index{2}, static_cast<Index>(std::lround(cells))) << halvings;
+  };
+  const Index columns = count(across);
+  const Index rows = count(along);
+  return {
+      columns, rows, wraps, cell.origin, (1.0 / columns) * cell.first, (1.0 / rows) * cell.second};
+}
 
 /// A place in a grid: its cell, and where in it, from 0 to 1 across and along.
 struct GridPlace {

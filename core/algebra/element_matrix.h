@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "mesh/ids.h"
 
@@ -70,6 +71,22 @@ void subtract_product(const ElementMatrix<N>& element, const std::array<Index, N
     own[k] = columns[k] == kNone ? 0 : x[place_of(columns[k])];
   }
   subtract_product(element, own, from);
+}
+
+/// By the elements' `unknowns` numbers, those that the same unknowns have elsewhere, or kNone.
+/// \param elsewhere by element
+template <std::size_t N>
+std::vector<Index> renumbering(std::span<const ElementMatrix<N>> elements, std::size_t unknowns,
+                               const std::vector<std::array<Index, N>>& elsewhere) {
+  std::vector<Index> numbers(unknowns, kNone);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::size_t k = 0; k < N; ++k) {
+      if (elements[e].unknown[k] != kNone) {
+        numbers[place_of(elements[e].unknown[k])] = elsewhere[e][k];
+      }
+    }
+  }
+  return numbers;
 }
 
 } // namespace foam

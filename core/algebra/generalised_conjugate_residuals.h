@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "parallel/kernels.h"
+
 namespace foam {
+
+/// The largest entry by magnitude of a residual, each times its weight.
+inline double largest_weighted(std::span<const double> rest, std::span<const double> weight) {
+  constexpr parallel::Larger larger{};
+  double largest = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    largest = larger(largest, weight[i] * std::abs(rest[i]));
+  }
+  return largest;
+}
 
 /// Goes on solving K·x = load by generalised conjugate residuals (S. C. Eisenstat, H. C. Elman, M.
 /// H. Schultz, SIAM J. Numer. Anal. 20 (1983) 345): x takes up that combination of the
@@ -13,15 +26,14 @@ namespace foam {
 /// indefinite, and the preconditioner unsymmetric.
 ///
 /// \param rest load − K·x, of which it leaves what is left; \param weight of its entries;
-/// \param subtract_product (z, from): from −= K·z; \param precondition (z): z ← about K⁻¹·z;
-/// \param small (rest): whether it is small enough; \param most directions.
-/// \returns whether it is.
-template <class SubtractProduct, class Precondition, class Small>
+/// \param limit to largest_weighted(rest, weight); \param most directions;
+/// \param subtract_product (z, from): from −= K·z; \param precondition (z): z ← about K⁻¹·z.
+/// \returns whether the limit is met.
+template <class SubtractProduct, class Precondition>
 bool generalised_conjugate_residuals(std::span<double> x, std::vector<double>& rest,
-                                     std::span<const double> weight,
+                                     std::span<const double> weight, double limit, int most,
                                      const SubtractProduct& subtract_product,
-                                     const Precondition& precondition, const Small& small,
-                                     int most) {
+                                     const Precondition& precondition) {
   const auto product = [weight](std::span<const double> a, std::span<const double> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -39,7 +51,7 @@ bool generalised_conjugate_residuals(std::span<double> x, std::vector<double>& r
     double norm2 = 0;                 ///< of the effect
   };
   std::vector<Direction> directions;
-  while (!small(rest)) {
+  while (!(largest_weighted(rest, weight) <= limit)) {
     if (static_cast<int>(directions.size()) == most) {
       return false;
     }

@@ -20,6 +20,7 @@ template <class Executor> struct Smoother {
   double largest = 1; ///< eigenvalue of D⁻¹·M, or a little more
   typename Executor::template Array<Symmetric2> inverse;
   typename Executor::template Array<double> r, d;
+  typename Executor::template Array<double> trial, zero; ///< of find_largest()
 };
 
 /// x ← something other than zero everywhere, and smooth nowhere.
@@ -74,21 +75,23 @@ void prepare(Executor& executor, const Matrix& matrix, Smoother<Executor>& s, In
       FOAM_KERNEL(Index i) { inverse[i] = matrix.diagonal(typename Matrix::Place(i)).inverse(); });
 }
 
-/// Power iteration: x ← D⁻¹·M·x. \param x, zero scratch of the smoother's length
+/// Power iteration: x ← D⁻¹·M·x.
 template <class Executor, class Matrix>
-void find_largest(Executor& executor, const Matrix& matrix, Smoother<Executor>& s, double* x,
-                  double* zero) {
+void find_largest(Executor& executor, const Matrix& matrix, Smoother<Executor>& s) {
   constexpr int kSteps = 10;
   constexpr double kMargin = 1.25; // for what it falls short of
   const Index length = 2 * s.size;
-  executor.for_each(length, parallel::Fill<double>{zero, 0});
+  s.trial.resize(place_of(length));
+  s.zero.resize(place_of(length));
+  double* const x = s.trial.data();
+  executor.for_each(length, parallel::Fill<double>{s.zero.data(), 0});
   executor.for_each(length, parallel::Fill<double>{s.d.data(), 0});
   fill_roughly(executor, length, x);
   for (int step = 0; step < kSteps; ++step) {
     const double norm = std::sqrt(dot_product(executor, length, x, x));
     s.largest = step == 0 ? 1 : kMargin * norm;
     rescale(executor, length, x, norm > 0 ? 1 / norm : 0);
-    find_residual(executor, matrix, s, zero, x);
+    find_residual(executor, matrix, s, s.zero.data(), x);
     executor.for_each(length, parallel::Fill<double>{x, 0});
     chebyshev_step(executor, s, 0, -1, x);
   }

@@ -10,6 +10,7 @@
 
 #include "coarsening/end.h"
 #include "coarsening/newton_rules.h"
+#include "mesh/neighbourhood.h"
 #include "mesh/validate.h"
 #include "physics/gas.h"
 #include "physics/step_limits.h"

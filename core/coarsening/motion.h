@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "equilibrium/domain.h"
-#include "equilibrium/rates.h"
+#include "physics/rates.h"
 #include "equilibrium/step.h"
 #include "mesh/foam.h"
 

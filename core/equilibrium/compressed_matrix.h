@@ -3,195 +3,91 @@
 // The matrix of matrix_free.h entry by entry, for those who factorise it.
 #pragma once
 
-#include "algebra/direct_solver.h"
+#include "algebra/compressed_rows.h"
 #include "equilibrium/matrix_free.h"
 #include "equilibrium/zero_modes.h"
 
 namespace foam::newton {
-namespace detail {
 
-/// A row of a lower triangle that takes up entries in any order: those of one column are added up,
-/// and those beyond the diagonal left out.
-struct GrowingRow {
-  Index row = 0;
-  Index* column = nullptr; ///< ascending
-  double* value = nullptr;
-  Index length = 0;
+/// WholeFoamMatrix with kRegularisation, and for every element that is absent or held an equation
+/// of its own, x = 0. For CompressedRows: its groups are junctions, with two rows each, then
+/// bubbles.
+struct CompressedMatrix {
+  WholeFoamMatrix matrix;
 
-  FOAM_HOST_DEVICE void add(Index at, double what) {
-    if (at > row) {
-      return;
-    }
-    Index place = length;
-    while (place > 0 && column[place - 1] > at) {
-      --place;
-    }
-    if (place > 0 && column[place - 1] == at) {
-      value[place - 1] += what;
-      return;
-    }
-    for (Index k = length++; k > place; --k) {
-      column[k] = column[k - 1];
-      value[k] = value[k - 1];
-    }
-    column[place] = at;
-    value[place] = what;
-  }
-};
+  Index size() const { return size_of(matrix.mesh); }
+  Index groups() const { return matrix.mesh.junctions + matrix.mesh.bubbles; }
 
-/// How many entries a row may get, one index a junction, for its two rows, then one a bubble.
-struct BoundRows {
-  ConstFoamView mesh;
-  Index* bound = nullptr; ///< by row
-
-  FOAM_HOST_DEVICE void operator()(Index i) const {
+  FOAM_HOST_DEVICE void bound(Index i, Index* bounds) const {
+    const ConstFoamView& mesh = matrix.mesh;
     if (i < mesh.junctions) {
       const Index x = 2 * i;
-      bound[x] = bound[x + 1] = mesh.moves(Junction(i)) ? 8 : 1; // it and three others
+      bounds[x] = bounds[x + 1] = mesh.moves(Junction(i)) ? 8 : 1; // it and three others
     } else {
       const Bubble bubble(i - mesh.junctions);
-      bound[mesh.junctions + i] =
+      bounds[mesh.junctions + i] =
           mesh.has_bubble(bubble) ? 3 * mesh.sides[bubble] + 1 : 1; // junctions, neighbours, it
     }
   }
-};
 
-/// Lists the entries of rows, one index a junction, then one a bubble.
-struct ListRows {
-  WholeFoamMatrix matrix;
-  const Index* begin = nullptr; ///< of each row in the next two
-  Index* column = nullptr;
-  double* value = nullptr;
-  Index* length = nullptr; ///< by row
-
-  FOAM_HOST_DEVICE void operator()(Index i) const {
+  FOAM_HOST_DEVICE void list(Index i, const GrowingRows& rows) const {
     if (i < matrix.mesh.junctions) {
-      list_junction(Junction(i));
+      list_junction(Junction(i), rows);
     } else {
-      list_bubble(Bubble(i - matrix.mesh.junctions));
+      list_bubble(Bubble(i - matrix.mesh.junctions), rows);
     }
   }
 
 private:
-  FOAM_HOST_DEVICE GrowingRow row_of(Index row) const {
-    return {row, column + begin[row], value + begin[row]};
-  }
-
-  FOAM_HOST_DEVICE void list_junction(Junction junction) const {
+  FOAM_HOST_DEVICE void list_junction(Junction junction, const GrowingRows& rows) const {
     const ConstFoamView& mesh = matrix.mesh;
     const Index own = 2 * junction.index();
-    GrowingRow x = row_of(own);
-    GrowingRow y = row_of(own + 1);
+    GrowingRow x = rows.begun(own);
+    GrowingRow y = rows.begun(own + 1);
     const double diagonal = mesh.moves(junction) ? kRegularisation : 1;
     x.add(own, diagonal);
     y.add(own + 1, diagonal);
     if (mesh.moves(junction)) {
       for (const Half h : mesh.junction_half[junction]) {
-        const FilmStiffness& f = matrix.film[h.film()];
-        add_block(x, y, own, f, 1, 0);
-        if (mesh.moves(mesh.end(h))) {
-          add_block(x, y, 2 * mesh.end(h).index(), f, -1, h.reversed() ? -f.jump : f.jump);
-        }
+        const auto film = matrix.film[h.film()].matrix();
+        const std::size_t first = h.reversed() ? 2 : 0;
+        add(x, h.film(), film[first]);
+        add(y, h.film(), film[first + 1]);
       }
     }
-    length[own] = x.length;
-    length[own + 1] = y.length;
+    rows.finish(x);
+    rows.finish(y);
   }
 
-  /// sign · (xx, xy; xy, yy) + jump · (0, −1; 1, 0)
-  FOAM_HOST_DEVICE static void add_block(GrowingRow& x, GrowingRow& y, Index at,
-                                         const FilmStiffness& f, double sign, double jump) {
-    x.add(at, sign * f.xx);
-    x.add(at + 1, sign * f.xy - jump);
-    y.add(at, sign * f.xy + jump);
-    y.add(at + 1, sign * f.yy);
-  }
-
-  FOAM_HOST_DEVICE void list_bubble(Bubble bubble) const {
+  FOAM_HOST_DEVICE void list_bubble(Bubble bubble, const GrowingRows& rows) const {
     const ConstFoamView& mesh = matrix.mesh;
-    const Index first = 2 * mesh.junctions;
-    const Index own = first + bubble.index();
-    GrowingRow row = row_of(own);
-    row.add(own, mesh.has_bubble(bubble) ? -kRegularisation : 1);
+    GrowingRow row = rows.begun(2 * mesh.junctions + bubble.index());
+    row.add(row.row, mesh.has_bubble(bubble) ? -kRegularisation : 1);
     if (mesh.has_bubble(bubble)) {
       for_each_half(mesh, bubble, [&](Half h) {
-        const FilmStiffness& f = matrix.film[h.film()];
-        add_slope(row, mesh.start(h), f.start_slope(h));
-        add_slope(row, mesh.end(h), f.end_slope(h));
-        row.add(own, -f.compliance);
-        if (!mesh.right(h).is_outside()) {
-          row.add(first + mesh.right(h).index(), f.compliance);
-        }
+        add(row, h.film(), matrix.film[h.film()].matrix()[h.reversed() ? 5 : 4]);
       });
     }
-    length[own] = row.length;
+    rows.finish(row);
   }
 
-  FOAM_HOST_DEVICE void add_slope(GrowingRow& row, Junction junction, Vec2 slope) const {
-    if (matrix.mesh.moves(junction)) {
-      row.add(2 * junction.index(), -slope.x);
-      row.add(2 * junction.index() + 1, -slope.y);
-    }
-  }
-};
-
-/// Moves a row's entries to where its matrix has them.
-struct PackRow {
-  const Index* from = nullptr; ///< by row
-  const Index* to = nullptr;   ///< by row
-  const Index* listed_column = nullptr;
-  const double* listed_value = nullptr;
-  Index* column = nullptr;
-  double* value = nullptr;
-
-  FOAM_HOST_DEVICE void operator()(Index row) const {
-    for (Index k = 0; k < to[row + 1] - to[row]; ++k) {
-      column[to[row] + k] = listed_column[from[row] + k];
-      value[to[row] + k] = listed_value[from[row] + k];
-    }
-  }
-};
-
-} // namespace detail
-
-/// WholeFoamMatrix with kRegularisation, and for every element that is absent or held an equation
-/// of its own, x = 0. On an executor (parallel/host.h); each row is summed by one thread in a fixed
-/// order.
-template <class Executor> class CompressedMatrix {
-public:
-  explicit CompressedMatrix(Executor& executor) : executor_(executor) {}
-
-  /// \returns what stays as it is until the next call, or as long as this is there.
-  LowerTriangle assemble(const WholeFoamMatrix& matrix) {
+  /// Adds a row of a film's matrix, but for what is held.
+  FOAM_HOST_DEVICE void add(GrowingRow& row, Film film,
+                            const std::array<double, 6>& entries) const {
     const ConstFoamView& mesh = matrix.mesh;
-    const Index size = size_of(mesh);
-    const Index elements = mesh.junctions + mesh.bubbles;
-    for (auto* array : {&begin_, &first_}) {
-      array->resize(static_cast<std::size_t>(size) + 1);
+    const Half h = film.half();
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Junction junction = end == 0 ? mesh.start(h) : mesh.end(h);
+      if (mesh.moves(junction)) {
+        row.add(2 * junction.index(), entries[2 * end]);
+        row.add(2 * junction.index() + 1, entries[2 * end + 1]);
+      }
+      const Bubble bubble = end == 0 ? mesh.left(h) : mesh.right(h);
+      if (!bubble.is_outside()) {
+        row.add(2 * mesh.junctions + bubble.index(), entries[4 + end]);
+      }
     }
-    executor_.for_each(elements, detail::BoundRows{mesh, begin_.data()});
-    const auto listed = static_cast<std::size_t>(executor_.exclusive_scan(begin_.data(), size));
-    listed_column_.resize(listed);
-    listed_value_.resize(listed);
-    executor_.for_each(elements, detail::ListRows{matrix, begin_.data(), listed_column_.data(),
-                                                  listed_value_.data(), first_.data()});
-    const Index entries = executor_.exclusive_scan(first_.data(), size);
-    column_.resize(static_cast<std::size_t>(entries));
-    value_.resize(static_cast<std::size_t>(entries));
-    executor_.for_each(size, detail::PackRow{begin_.data(), first_.data(), listed_column_.data(),
-                                             listed_value_.data(), column_.data(), value_.data()});
-    return {size, entries, first_.data(), column_.data(), value_.data()};
   }
-
-private:
-  template <class T> using Array = typename Executor::template Array<T>;
-
-  Executor& executor_;
-  Array<Index> begin_; ///< of each row as it was listed
-  Array<Index> listed_column_;
-  Array<double> listed_value_;
-  Array<Index> first_, column_;
-  Array<double> value_;
 };
 
 } // namespace foam::newton

@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
+#include "mesh/elements.h"
 #include "mesh/foam_view.h"
+#include "parallel/kernels.h"
 
 namespace foam {
-
-/// Some elements of a kind, listed or all of them. A range for an executor (parallel/host.h).
-template <class Element> class Elements {
-public:
-  Elements() = default;
-  /// \param list ascending; it must outlive this
-  FOAM_HOST_DEVICE Elements(const Element* list, Index size) : list_(list), size_(size) {}
-  FOAM_HOST_DEVICE explicit Elements(Slots<Element> all) : size_(all.size()) {}
-
-  FOAM_HOST_DEVICE Index size() const { return size_; }
-  FOAM_HOST_DEVICE Element operator[](Index i) const {
-    return list_ == nullptr ? Element(i) : list_[i];
-  }
-
-private:
-  const Element* list_ = nullptr;
-  Index size_ = 0;
-};
 
 /// The part of a foam that an equilibration may change; all else is held. Where all of a kind are
 /// in it, some of them may be gone or held.
@@ -36,6 +22,19 @@ struct Domain {
   bool whole = false;           ///< nothing is held but a container's wall
   double spacing = 0;           ///< √(mean target area) of the bubbles, cm
 };
+
+/// √(mean target area) of those of some bubbles that are there, cm.
+template <class Executor>
+double mean_spacing(Executor& executor, const ConstFoamView& mesh,
+                    const Elements<Bubble>& bubbles) {
+  const Vec2 total = executor.reduce( // in x of the areas, in y of the bubbles
+      bubbles, Vec2{},
+      FOAM_KERNEL(Bubble b) {
+        return mesh.has_bubble(b) ? Vec2{mesh.target_area[b], 1} : Vec2{};
+      },
+      parallel::Add{});
+  return std::sqrt(total.x / std::max(total.y, 1.0));
+}
 
 /// All of a mesh. \param spacing of its bubbles, cm
 inline Domain whole_mesh(const ConstFoamView& mesh, double spacing) {
@@ -62,9 +61,6 @@ Domain domain_of(const Region& region);
 
 /// All of a foam. Junctions and films on the wall of a sealed container are held.
 Region whole_foam(const Foam& foam);
-
-/// The given bubbles that are there and so many rings of neighbours around them, ascending.
-std::vector<Bubble> rings_around(const Foam& foam, std::span<const Bubble> bubbles, int rings);
 
 /// A patch: the junctions of the given bubbles and of `rings` rings of neighbours around them move.
 /// All bubbles at these junctions keep their areas: one of held pressure, grown or shrunk at no

@@ -36,7 +36,7 @@ Index surplus(const Foam& foam, const Residual& residual) {
 } // namespace
 
 void FactorisingSolver::reset() {
-  ready_ = false;
+  topology_.reset();
   factorised_ = false;
   shift_ = 0;
 }
@@ -51,22 +51,14 @@ void FactorisingSolver::set_up(const Foam& foam, Region region) {
   }
   region_ = std::move(region);
   topology_ = foam.topology;
-  ready_ = true;
   adapted_ = false;
-  keep_angle_.clear();
-  for (const Film f : region_.films) {
-    keep_angle_.push_back(adapts ? factorisation_.keeps_angle(f)
-                                 : NewtonMatrix::angle_is_delicate(foam, f));
-  }
-  renumber(foam);
-  factorised_ = adapts;
-}
-
-void FactorisingSolver::renumber(const Foam& foam) {
-  matrix_.set_up(foam, region_, keep_angle_);
+  std::vector<char> keep_angle(region_.films.size());
+  std::ranges::transform(region_.films, keep_angle.begin(), [&](Film f) {
+    return adapts ? factorisation_.keeps_angle(f) : NewtonMatrix::angle_is_delicate(foam, f);
+  });
+  matrix_.set_up(foam, region_, std::move(keep_angle));
   assembled_ = false;
-  analysed_ = false;
-  factorised_ = false;
+  factorised_ = adapts;
 }
 
 void FactorisingSolver::begin(bool /*far*/) {
@@ -92,7 +84,7 @@ const StepView* FactorisingSolver::reuse(const Foam& foam, const Domain& /*domai
   // too: areas are measured here by the mean, not by their own.
   std::vector<double> rest = load(foam, state);
   std::vector<double> change(rest.size(), 0.0);
-  const double most = largest(foam, rest);
+  const double most = largest_weighted(rest, weights(foam));
   const double limit = kExcess * tolerance;
   const double enough = limit < most ? std::max(limit, kForcing * most) : kForcing * most;
   if (!solve(foam, change, rest, enough)) {
@@ -119,16 +111,9 @@ bool FactorisingSolver::assemble(const Foam& foam, double shift) {
   if (assembled_ && shift == 0) {
     return true;
   }
-  const std::vector<std::size_t> unsafe = matrix_.assemble(foam, region_, shift);
-  for (const std::size_t i : unsafe) {
-    keep_angle_[i] = 1;
-  }
-  if (!unsafe.empty()) {
-    renumber(foam);
-    return false;
-  }
-  assembled_ = shift == 0;
-  return true;
+  const bool same_unknowns = matrix_.assemble(foam, region_, shift);
+  assembled_ = same_unknowns && shift == 0;
+  return same_unknowns;
 }
 
 /// \param surplus so many negative pivots more than there are constraints are taken as well.
@@ -140,10 +125,6 @@ bool FactorisingSolver::factorise(const Foam& foam, Index surplus) {
   while (shift <= kLargestShift) {
     if (!assemble(foam, shift)) {
       continue;
-    }
-    if (!analysed_) {
-      factorisation_.analyse(foam, region_, matrix_);
-      analysed_ = true;
     }
     const Index negative = factorisation_.factorise(foam, region_, matrix_);
     if (negative >= constraints && negative - constraints <= surplus) {
@@ -159,10 +140,7 @@ bool FactorisingSolver::factorise(const Foam& foam, Index surplus) {
 /// Makes the last factorisation of a whole foam serve for where it has moved since. \returns false
 /// if that is too far.
 bool FactorisingSolver::adapt(const Foam& foam) {
-  if (factorised_) {
-    assemble(foam, 0);
-  }
-  factorised_ = factorised_ &&
+  factorised_ = factorised_ && assemble(foam, 0) &&
                 (!region_.whole || (shift_ == 0 && factorisation_.adapt(foam, region_, matrix_)));
   return factorised_;
 }
@@ -188,53 +166,33 @@ std::vector<double> FactorisingSolver::load(const Foam& foam, const Evaluation<H
     load[place_of(unknowns.first_pressure()) + i] =
         bounded_excess(view_of(foam), state.areas(), region_.bubbles[i]);
   }
-  const std::vector<double> angles = angle_gradient(state);
-  for (std::size_t i = 0; i < region_.films.size(); ++i) {
-    if (const Index kept = unknowns.angle(region_.films[i]); kept != kNone) {
-      load[place_of(kept)] = -angles[i];
-    }
-  }
-  matrix_.condense(angles, load);
+  matrix_.add_angles(angle_gradient(state), load);
   return load;
+}
+
+/// What makes residuals dimensionless, areas in units of the mean.
+std::vector<double> FactorisingSolver::weights(const Foam& foam) const {
+  const Unknowns& unknowns = matrix_.unknowns();
+  const Units units{region_.spacing, foam.reference_tension()};
+  std::vector<double> weight(place_of(unknowns.count()), 1 / units.energy());
+  const auto first_pressure = weight.begin() + unknowns.first_pressure();
+  std::fill(weight.begin(), first_pressure, 1 / units.tension);
+  std::fill_n(first_pressure, region_.bubbles.size(), 1 / units.area());
+  return weight;
 }
 
 /// Adds to a change what takes away the rest of the load that it leaves, down to a limit of
 /// dimensionless residuals. \returns whether the limit is met.
 bool FactorisingSolver::solve(const Foam& foam, std::span<double> change, std::vector<double>& rest,
                               double limit) {
-  const Unknowns& unknowns = matrix_.unknowns();
-  const Units units{region_.spacing, foam.reference_tension()};
-  std::vector<double> weight(rest.size(), 1 / units.energy());
-  const auto first_pressure = weight.begin() + unknowns.first_pressure();
-  const auto first_angle = weight.begin() + unknowns.first_angle();
-  std::fill(weight.begin(), first_pressure, 1 / units.tension);
-  std::fill(first_pressure, first_angle, 1 / units.area());
   const ConstFoamView mesh = view_of(foam);
   return generalised_conjugate_residuals(
-      change, rest, weight,
+      change, rest, weights(foam), limit, kDirections,
       [&](std::span<const double> x, std::span<double> from) { matrix_.subtract_product(x, from); },
       [&](std::span<double> x) {
         factorisation_.solve(x);
         remove_rigid_motion(host_, mesh, domain_of(region_), x.data());
-      },
-      [&](std::span<const double> left) { return largest(foam, left) <= limit; }, kDirections);
-}
-
-/// The largest dimensionless residual, areas in units of the mean.
-double FactorisingSolver::largest(const Foam& foam, std::span<const double> rest) const {
-  const Units units{region_.spacing, foam.reference_tension()};
-  const Unknowns& unknowns = matrix_.unknowns();
-  constexpr parallel::Larger larger{};
-  const auto part = [&](Index begin, Index end) {
-    double most = 0;
-    for (Index u = begin; u < end; ++u) {
-      most = larger(most, std::abs(rest[place_of(u)]));
-    }
-    return most;
-  };
-  return larger(larger(part(0, unknowns.first_pressure()) / units.tension,
-                       part(unknowns.first_pressure(), unknowns.first_angle()) / units.area()),
-                part(unknowns.first_angle(), unknowns.count()) / units.energy());
+      });
 }
 
 const StepView* FactorisingSolver::response(const Foam& foam,

@@ -3,15 +3,16 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "equilibrium/domain.h"
 #include "equilibrium/evaluation.h"
 #include "equilibrium/newton_matrix.h"
-#include "equilibrium/rates.h"
 #include "equilibrium/reused_factorisation.h"
 #include "parallel/host.h"
+#include "physics/rates.h"
 
 namespace foam::newton {
 
@@ -27,7 +28,7 @@ public:
   /// factorisation at hand is kept, to be adapted before it serves.
   void set_up(const Foam& foam, Region region);
   /// Whether set_up() has been called for a region of this very topology.
-  bool fits(const Foam& foam) const { return ready_ && topology_ == foam.topology; }
+  bool fits(const Foam& foam) const { return topology_ == foam.topology; }
   bool factorised() const { return factorised_; }
   const Region& region() const { return region_; }
   /// Forgets everything.
@@ -54,7 +55,6 @@ public:
                            const Rates& expected, double drift);
 
 private:
-  void renumber(const Foam& foam);
   bool assemble(const Foam& foam, double shift);
   bool factorise(const Foam& foam, Index surplus);
   bool adapt(const Foam& foam);
@@ -63,7 +63,7 @@ private:
   bool solve(const Foam& foam, std::span<double> change, std::vector<double>& rest, double limit);
   const StepView* respond(const Foam& foam, const Field<Bubble, double>& area_rate,
                           const Rates& expected, double drift);
-  double largest(const Foam& foam, std::span<const double> rest) const;
+  std::vector<double> weights(const Foam& foam) const;
   void extract(const Foam& foam, std::span<double> change, std::span<const double> angle_gradient,
                const Rates& held, Step<Host>& step);
 
@@ -71,15 +71,12 @@ private:
 
   Host host_;
   Region region_;
-  std::uint64_t topology_ = 0;
-  bool ready_ = false;
-  bool analysed_ = false;   ///< the symbolic factorisation is that of the matrix
-  bool assembled_ = false;  ///< the matrix is that of the state at hand, not shifted
+  std::optional<std::uint64_t> topology_; ///< of the foam; none before set_up()
+  bool assembled_ = false;                ///< the matrix is that of the state at hand, not shifted
   bool factorised_ = false; ///< the factorisation is one of a matrix with the right inertia
   bool adapted_ = false;    ///< it has been adapted since the equilibration began, or is new
   double shift_ = 0;        ///< of the last one
 
-  std::vector<char> keep_angle_; ///< by place in region_.films
   NewtonMatrix matrix_;
   ReusedFactorisation factorisation_;
   Step<Host> step_, response_;

@@ -20,22 +20,12 @@
 // of a continuum.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "algebra/elastic_grid.h"
-#include "algebra/multigrid.h"
+#include "algebra/grid_hierarchy.h"
+#include "algebra/grid_points.h"
 #include "equilibrium/matrix_free.h"
+#include "geometry/bounds.h"
 
 namespace foam::newton {
-
-/// How a bubble's area grows with its junction between halves k and k + 1 of it.
-FOAM_HOST_DEVICE inline Vec2 area_slope(const WholeFoamMatrix& matrix,
-                                        const std::array<Half, 3>& halves, std::size_t k) {
-  const Half h = halves[k];
-  const Half next = halves[(k + 1) % 3];
-  return matrix.film[h.film()].start_slope(h) - matrix.film[next.film()].start_slope(next);
-}
 
 /// The solid A + BᵀWB.
 struct Solid {
@@ -73,10 +63,13 @@ struct Solid {
     }
     const std::array<Half, 3>& halves = mesh.junction_half[junction];
     for (std::size_t k = 0; k < 3; ++k) {
-      sum.add_square(across[halves[k].film()], 1);
-      const Bubble bubble = mesh.left(halves[k]);
-      if (!bubble.is_outside()) {
-        sum.add_square(area_slope(matrix, halves, k), bulk[bubble]);
+      const Half h = halves[k];
+      const Half next = halves[(k + 1) % 3];
+      sum.add_square(across[h.film()], 1);
+      if (const Bubble bubble = mesh.left(h); !bubble.is_outside()) {
+        sum.add_square(matrix.film[h.film()].start_slope(h) -
+                           matrix.film[next.film()].start_slope(next),
+                       bulk[bubble]);
       }
     }
     return sum;
@@ -130,30 +123,17 @@ FOAM_HOST_DEVICE inline double inverse_pressure_block(const Solid& solid, Bubble
   return 1 / (1 / solid.bulk[bubble] + compliance);
 }
 
-/// Junctions by cells.
-struct CellLists {
-  multigrid::Grid grid;
-  FieldView<Junction, const multigrid::GridPlace> place;
-  const std::uint64_t* key = nullptr;
-  const Index* first = nullptr;
-
-  template <class Visit> FOAM_HOST_DEVICE void for_each_in(Index cell, Visit&& visit) const {
-    for (Index i = first[cell]; i < first[cell + 1]; ++i) {
-      visit(Junction(static_cast<Index>(key[i] & 0xffffffffU)));
-    }
-  }
-};
-
 /// The rows of a cell's element that belong to a corner: the continuum there has half of the films
 /// of each of its junctions, and an equal share of each of the bubbles, as if the gradient of the
 /// displacement were the same all over them.
-FOAM_HOST_DEVICE inline multigrid::ElementRows
-rows_of(const Solid& solid, const Units& units, const CellLists& lists, Index cell, int corner) {
+FOAM_HOST_DEVICE inline multigrid::ElementRows rows_of(const Solid& solid, const Units& units,
+                                                       const multigrid::CellLists& lists,
+                                                       Index cell, int corner) {
   const ConstFoamView& mesh = solid.matrix.mesh;
   multigrid::ElementRows sum;
-  lists.for_each_in(cell, [&](Junction junction) {
+  lists.for_each_in(cell, [&](Index junction) {
     const multigrid::GridPlace& place = lists.place[junction];
-    for (const Half h : mesh.junction_half[junction]) {
+    for (const Half h : mesh.junction_half[Junction(junction)]) {
       const Vec2 across = solid.across[h.film()];
       const Vec2 chord = (1 / units.length) * mesh.chord(h);
       sum.add_square(place, lists.grid, corner, across.x * chord, across.y * chord, 0.5);
@@ -168,50 +148,11 @@ rows_of(const Solid& solid, const Units& units, const CellLists& lists, Index ce
   return sum;
 }
 
-/// The first of some ascending keys that is not below a cell's.
-FOAM_HOST_DEVICE inline Index first_key(const std::uint64_t* key, Index keys, Index cell) {
-  const auto lowest = static_cast<std::uint64_t>(cell) << 32;
-  Index low = 0;
-  Index high = keys;
-  while (low < high) {
-    const Index middle = low + (high - low) / 2;
-    (key[middle] < lowest ? low : high) = key[middle] < lowest ? middle + 1 : middle;
-  }
-  return low;
-}
-
-struct Bounds {
-  Vec2 low{1e300, 1e300};
-  Vec2 high{-1e300, -1e300};
-
-  friend FOAM_HOST_DEVICE Bounds operator+(const Bounds& a, const Bounds& b) {
-    return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-            {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-  }
-};
-
-/// A grid over a cell with cells as wide as asked for, or a little less or more: so many that they
-/// can be halved until less than eight are left along the shorter side.
-inline multigrid::Grid grid_over(const Lattice& box, bool wraps, double width) {
-  const double across = norm(box.first);
-  const double along = norm(box.second);
-  Index halvings = 0;
-  for (double shorter = std::min(across, along) / width; shorter >= 8; shorter /= 2) {
-    ++halvings;
-  }
-  const auto count = [&](double length) {
-    const double cells = length / width / std::exp2(halvings);
-    return std::max(Index{2}, static_cast<Index>(std::lround(cells))) << halvings;
-  };
-  const Index columns = count(across);
-  const Index rows = count(along);
-  return {columns, rows, wraps, box.origin, (1.0 / columns) * box.first, (1.0 / rows) * box.second};
-}
-
 /// On an executor (parallel/host.h).
 template <class Executor> class FoamPreconditioner {
 public:
-  explicit FoamPreconditioner(Executor& executor) : executor_(executor) {}
+  explicit FoamPreconditioner(Executor& executor)
+      : executor_(executor), junctions_(executor), grids_(executor) {}
 
   /// Makes the preconditioner for a state of the foam; both the mesh and the matrix's films have to
   /// stay as they are while it is used.
@@ -236,8 +177,12 @@ public:
         FOAM_KERNEL(Bubble b) { pressure[b] = inverse_pressure_block(solid, b); });
     solid_ = solid;
     prepare(executor_, solid_, fine_, mesh.junctions);
-    find_largest_of(solid_, fine_);
-    make_grids(units);
+    find_largest(executor_, solid_, fine_);
+    const multigrid::Grid grid =
+        multigrid::grid_over(cell_of(units), mesh.surroundings.periodic(), kCellWidth);
+    place_junctions(grid, units);
+    assemble_elements(units, grids_.begin(grid));
+    grids_.coarsen();
   }
 
   /// to ← P⁻¹·from
@@ -249,73 +194,26 @@ public:
     executor_.for_each(
         mesh.bubble_slots(), FOAM_KERNEL(Bubble b) { left[b] = inverse[b] * right[b]; });
     cycle(executor_, solid_, fine_, from, to, [&](const double* residual) {
-      restrict_junctions(residual);
-      solve_on(0);
-      prolongate_to_junctions(to);
+      junctions_.restrict_to_nodes(residual, grids_.load());
+      junctions_.prolongate_to_points(grids_.solve(), to);
     });
   }
 
   // Its parts.
 
-  /// Each node gathers the residuals of the junctions around it.
-  void restrict_junctions(const double* from) {
-    const CellLists cells = lists();
-    double* const to = levels_.front().b.data();
-    executor_.for_each(
-        cells.grid.nodes(), FOAM_KERNEL(Index node) {
-          Vec2 sum;
-          for (int corner = 0; corner < 4; ++corner) {
-            const Index cell = cells.grid.cell_at(node, corner);
-            if (cell != kNone) {
-              cells.for_each_in(cell, [&](Junction j) {
-                sum += cells.place[j].weight(corner) * displacement(from, j);
-              });
-            }
-          }
-          set_displacement(to, node, sum);
-        });
-  }
-
-  void prolongate_to_junctions(double* x) {
-    const ConstFoamView& mesh = solid_.matrix.mesh;
-    const CellLists cells = lists();
-    const double* const from = levels_.front().x.data();
-    executor_.for_each(
-        mesh.junction_slots(), FOAM_KERNEL(Junction j) {
-          if (mesh.moves(j)) {
-            set_displacement(x, j,
-                             displacement(x, j) + interpolate(cells.grid, from, cells.place[j]));
-          }
-        });
-  }
-
-  /// Sorts the junctions by the cells of the finest grid.
   void place_junctions(const multigrid::Grid& grid, const Units& units) {
     const ConstFoamView& mesh = solid_.matrix.mesh;
-    place_.resize(place_of(mesh.junctions));
-    key_.resize(place_of(mesh.junctions));
-    first_.resize(place_of(grid.cells()) + 1);
-    const FieldView<Junction, multigrid::GridPlace> place(place_.data());
-    std::uint64_t* const key = key_.data();
-    Index* const first = first_.data();
-    executor_.for_each(
-        mesh.junction_slots(), FOAM_KERNEL(Junction j) {
-          const bool counts = mesh.moves(j);
-          if (counts) {
-            place[j] = place_in(grid, (1 / units.length) * mesh.position[j]);
-          }
-          const auto cell = static_cast<std::uint64_t>(counts ? place[j].cell : grid.cells());
-          key[j.index()] = (cell << 32) | static_cast<std::uint32_t>(j.index());
+    junctions_.place(
+        grid, mesh.junctions, FOAM_KERNEL(Index i) {
+          const Junction j(i);
+          return mesh.moves(j) ? place_in(grid, (1 / units.length) * mesh.position[j])
+                               : multigrid::GridPlace{kNone, {}};
         });
-    executor_.sort(key, mesh.junctions);
-    const Index keys = mesh.junctions;
-    executor_.for_each(
-        grid.cells() + 1, FOAM_KERNEL(Index cell) { first[cell] = first_key(key, keys, cell); });
   }
 
   void assemble_elements(const Units& units, multigrid::Element* element) {
     const Solid& solid = solid_;
-    const CellLists cells = lists();
+    const multigrid::CellLists cells = junctions_.lists();
     executor_.for_each(
         4 * cells.grid.cells(), FOAM_KERNEL(Index i) {
           rows_of(solid, units, cells, i / 4, i % 4).write(element[i / 4], i % 4);
@@ -323,7 +221,7 @@ public:
   }
 
   /// The cell of a torus, or what encloses the junctions, in units of the mean spacing.
-  Lattice box_of(const Units& units) {
+  Lattice cell_of(const Units& units) {
     const ConstFoamView& mesh = solid_.matrix.mesh;
     Lattice box;
     if (mesh.surroundings.periodic()) {
@@ -346,93 +244,15 @@ public:
 private:
   template <class T> using Array = typename Executor::template Array<T>;
 
-  struct Level {
-    multigrid::Grid grid;
-    Array<multigrid::Element> element;
-    multigrid::Smoother<Executor> smoother;
-    Array<double> b, x;
-
-    multigrid::GridMatrix matrix() const { return {grid, element.data()}; }
-  };
-
   static constexpr double kCellWidth = 2; // of the finest grid, in bubbles
-  static constexpr int kCoarsestSteps = 16;
-  static constexpr double kCoarsestRatio = 80;
-  /// An element's matrix is at most four times its corners' own blocks (Cauchy and Schwarz), and so
-  /// is their sum. So many steps would go astray where an eigenvalue was beyond an estimate.
-  static constexpr double kLargestOfElements = 4;
-
-  void solve_on(std::size_t k) {
-    Level& level = levels_[k];
-    if (k + 1 == used_) {
-      smooth(executor_, level.matrix(), level.smoother, level.b.data(), level.x.data(), true,
-             kCoarsestSteps, kCoarsestRatio);
-      return;
-    }
-    Level& coarser = levels_[k + 1];
-    cycle(executor_, level.matrix(), level.smoother, level.b.data(), level.x.data(),
-          [&](const double* residual) {
-            restrict_to(executor_, coarser.grid, level.grid, residual, coarser.b.data());
-            solve_on(k + 1);
-            prolongate(executor_, level.grid, coarser.grid, coarser.x.data(), level.x.data());
-          });
-  }
-
-  template <class Matrix>
-  void find_largest_of(const Matrix& matrix, multigrid::Smoother<Executor>& smoother) {
-    for (auto* array : {&trial_, &zero_}) {
-      array->resize(std::max(array->size(), 2 * place_of(smoother.size)));
-    }
-    find_largest(executor_, matrix, smoother, trial_.data(), zero_.data());
-  }
-
-  CellLists lists() const {
-    return {levels_.front().grid, FieldView<Junction, const multigrid::GridPlace>(place_.data()),
-            key_.data(), first_.data()};
-  }
-
-  Level& use_level(const multigrid::Grid& grid) {
-    if (used_ == levels_.size()) {
-      levels_.emplace_back();
-    }
-    Level& level = levels_[used_++];
-    level.grid = grid;
-    level.element.resize(place_of(grid.cells()));
-    level.b.resize(2 * place_of(grid.nodes()));
-    level.x.resize(2 * place_of(grid.nodes()));
-    return level;
-  }
-
-  void make_grids(const Units& units) {
-    const multigrid::Grid finest =
-        grid_over(box_of(units), solid_.matrix.mesh.surroundings.periodic(), kCellWidth);
-    place_junctions(finest, units);
-    used_ = 0;
-    Level& first = use_level(finest);
-    assemble_elements(units, first.element.data());
-    prepare(executor_, first.matrix(), first.smoother, finest.nodes());
-    while (levels_[used_ - 1].grid.can_be_coarsened()) {
-      const multigrid::Grid grid = levels_[used_ - 1].grid.coarsened();
-      Level& coarse = use_level(grid);
-      Level& fine = levels_[used_ - 2];
-      find_largest_of(fine.matrix(), fine.smoother);
-      coarsen_elements(executor_, fine.grid, grid, fine.element.data(), coarse.element.data());
-      prepare(executor_, coarse.matrix(), coarse.smoother, grid.nodes());
-    }
-    levels_[used_ - 1].smoother.largest = kLargestOfElements;
-  }
 
   Executor& executor_;
   Solid solid_;
   Array<Vec2> across_;
   Array<double> bulk_, squeeze_, pressure_;
   multigrid::Smoother<Executor> fine_;
-  Array<multigrid::GridPlace> place_;
-  Array<std::uint64_t> key_; ///< cell and junction, ascending
-  Array<Index> first_;       ///< key of each cell
-  std::vector<Level> levels_;
-  std::size_t used_ = 0; ///< of the levels
-  Array<double> trial_, zero_;
+  multigrid::GridPoints<Executor> junctions_;
+  multigrid::GridHierarchy<Executor> grids_;
 };
 
 } // namespace foam::newton

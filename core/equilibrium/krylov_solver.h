@@ -91,7 +91,7 @@ private:
   /// \returns whether the solution is as good as the finest that is asked of MINRES.
   bool solve_directly(const WholeFoamMatrix& matrix) {
     const double* const b = right_.data();
-    direct_->solve(compressed_.assemble(matrix), b, solution_.data());
+    direct_->solve(compressed_.assemble(CompressedMatrix{matrix}), b, solution_.data());
     product_.resize(right_.size());
     multiply(executor_, matrix, solution_.data(), product_.data());
     const Index size = size_of(matrix.mesh);
@@ -111,7 +111,7 @@ private:
   MinimalResidual<Executor> minimal_residual_;
   FoamPreconditioner<Executor> preconditioner_;
   std::unique_ptr<DirectSolver> direct_;
-  CompressedMatrix<Executor> compressed_;
+  CompressedRows<Executor> compressed_;
   double convexification_ = 0;
   int iterations_ = 0;
 

@@ -14,6 +14,7 @@
 #include "algebra/displacements.h"
 #include "equilibrium/evaluation.h"
 #include "parallel/kernels.h"
+#include "physics/film_stiffness.h"
 
 namespace foam::newton {
 
@@ -58,41 +59,6 @@ film_derivatives(const ConstFoamView& mesh, Film film, const Units& units, doubl
   const double smallest = kSmallestPivot * tension * d;
   pivot = pivot < 0 ? std::min(pivot, -smallest) : std::max(pivot, smallest);
   return phi;
-}
-
-/// A film's second derivatives, half-angle eliminated, seen from its half(); those from the twin
-/// differ in the sign of `jump` and `polygon`.
-struct FilmStiffness {
-  double xx = 0, xy = 0, yy = 0; ///< ∂²φ/∂D²
-  double jump = 0;               ///< ½q, of φ's −q·½ a×b
-  Vec2 segment;                  ///< how the segment's area grows with D
-  Vec2 polygon;                  ///< how ½ a×b grows with either end
-  double compliance = 0;         ///< how the segment's area grows with q
-
-  FOAM_HOST_DEVICE Vec2 times(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
-  /// How the area on the left of h grows as h's start moves.
-  FOAM_HOST_DEVICE Vec2 start_slope(Half h) const {
-    return (h.reversed() ? -polygon : polygon) - segment;
-  }
-  /// The same of h's end.
-  FOAM_HOST_DEVICE Vec2 end_slope(Half h) const {
-    return (h.reversed() ? -polygon : polygon) + segment;
-  }
-};
-
-FOAM_HOST_DEVICE inline FilmStiffness film_stiffness(FilmLagrangian phi) {
-  FilmStiffness film;
-  film.jump = -0.5 * (phi.hessian[0][3] - phi.hessian[1][2]);
-  eliminate_angle(phi);
-  film.xx = phi.hessian[2][2];
-  film.xy = phi.hessian[2][3];
-  film.yy = phi.hessian[3][3];
-  const Vec2 at_start{-phi.hessian[4][0], -phi.hessian[4][1]};
-  const Vec2 at_end{-phi.hessian[4][2], -phi.hessian[4][3]};
-  film.segment = 0.5 * (at_end - at_start);
-  film.polygon = 0.5 * (at_end + at_start);
-  film.compliance = phi.hessian[4][5];
-  return film;
 }
 
 /// The matrix K of Newton's equations.
@@ -146,17 +112,6 @@ void multiply(Executor& executor, const WholeFoamMatrix& matrix, const double* x
       });
 }
 
-/// What a film adds to the right-hand side, half-angle eliminated, seen from its half().
-struct FilmGradient {
-  Vec2 start, end;
-  double left = 0; ///< by the pressure on the left, and its negative by that on the right
-};
-
-FOAM_HOST_DEVICE inline FilmGradient film_gradient(FilmLagrangian phi) {
-  eliminate_angle(phi);
-  return {{phi.gradient[0], phi.gradient[1]}, {phi.gradient[2], phi.gradient[3]}, phi.gradient[4]};
-}
-
 /// Takes the derivatives of all films.
 template <class Executor>
 void linearise(Executor& executor, const ConstFoamView& mesh, const Units& units,
@@ -174,50 +129,37 @@ void linearise(Executor& executor, const ConstFoamView& mesh, const Units& units
       });
 }
 
-/// What is left of equilibrium at a junction, as its films' gradients have it.
-FOAM_HOST_DEVICE inline Vec2 load_of(const ConstFoamView& mesh,
-                                     const FieldView<Film, const FilmGradient>& gradient,
-                                     Junction junction) {
-  Vec2 sum;
-  if (mesh.moves(junction)) {
-    for (const Half h : mesh.junction_half[junction]) {
-      const FilmGradient& film = gradient[h.film()];
-      sum -= h.reversed() ? film.end : film.start;
-    }
-  }
-  return sum;
-}
-
-/// A bubble's excess of area as far as one step asks for it, with what the eliminated angles make
-/// of it.
-FOAM_HOST_DEVICE inline double load_of(const ConstFoamView& mesh, const Units& units,
-                                       const FieldView<Bubble, const double>& areas,
-                                       const FieldView<Film, const FilmGradient>& gradient,
-                                       Bubble bubble) {
-  if (!mesh.has_bubble(bubble)) {
-    return 0;
-  }
-  double sum = bounded_excess(mesh, areas, bubble) / units.area();
-  for_each_half(mesh, bubble, [&](Half h) {
-    const double left = gradient[h.film()].left;
-    sum -= h.reversed() ? -left : left;
-  });
-  return sum;
-}
-
-/// The right-hand side of Newton's equations, that is minus the gradient.
-/// \param areas of the bubbles, cm²
+/// The right-hand side of Newton's equations, that is minus the gradient, with what the eliminated
+/// angles make of it: what is left of equilibrium at junctions, and bubbles' excesses of area as
+/// far as one step asks for them. \param areas of the bubbles, cm²
 template <class Executor>
 void gather_load(Executor& executor, const ConstFoamView& mesh, const Units& units,
                  const FieldView<Bubble, const double>& areas,
                  const FieldView<Film, const FilmGradient>& gradient, double* to) {
   const FieldView<Bubble, double> pressures = pressures_of(mesh, to);
   executor.for_each(
-      mesh.junction_slots(),
-      FOAM_KERNEL(Junction j) { set_displacement(to, j, load_of(mesh, gradient, j)); });
+      mesh.junction_slots(), FOAM_KERNEL(Junction j) {
+        Vec2 sum;
+        if (mesh.moves(j)) {
+          for (const Half h : mesh.junction_half[j]) {
+            const FilmGradient& film = gradient[h.film()];
+            sum -= h.reversed() ? film.end : film.start;
+          }
+        }
+        set_displacement(to, j, sum);
+      });
   executor.for_each(
-      mesh.bubble_slots(),
-      FOAM_KERNEL(Bubble b) { pressures[b] = load_of(mesh, units, areas, gradient, b); });
+      mesh.bubble_slots(), FOAM_KERNEL(Bubble b) {
+        double sum = 0;
+        if (mesh.has_bubble(b)) {
+          sum = bounded_excess(mesh, areas, b) / units.area();
+          for_each_half(mesh, b, [&](Half h) {
+            const double left = gradient[h.film()].left;
+            sum -= h.reversed() ? -left : left;
+          });
+        }
+        pressures[b] = sum;
+      });
 }
 
 /// How the eliminated half-angle of a film answers to a solution, rad.
@@ -225,21 +167,11 @@ FOAM_HOST_DEVICE inline double angle_change(const ConstFoamView& mesh, Film film
                                             const Units& units, double convexification,
                                             const double* solution) {
   constexpr auto k = FilmLagrangian::kAngle;
-  const Half h = film.half();
   const FilmLagrangian phi = film_derivatives(mesh, film, units, convexification);
-  const Vec2 a = displacement(solution, mesh.start(h));
-  const Vec2 b = displacement(solution, mesh.end(h));
-  const std::array<double, 6> local{a.x,
-                                    a.y,
-                                    b.x,
-                                    b.y,
-                                    pressure_in(mesh, solution, mesh.left(h)),
-                                    pressure_in(mesh, solution, mesh.right(h))};
-  double sum = phi.gradient[k];
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    sum += phi.hessian[k][i] * local[i];
-  }
-  return -sum / phi.hessian[k][k];
+  const auto change = film_variables(
+      mesh, film, [&](Junction j) { return displacement(solution, j); },
+      [&](Bubble b) { return pressure_in(mesh, solution, b); }, 0);
+  return eliminated_angle(phi.gradient[k], phi.hessian[k].data(), change);
 }
 
 /// The step that a solution is.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "equilibrium/compressible_relaxation.h"
+#include "physics/equilibrium_measures.h"
 
 namespace foam {
 namespace {

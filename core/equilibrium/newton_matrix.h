@@ -29,24 +29,20 @@ public:
   static bool angle_is_delicate(const Foam& foam, Film film);
 
   /// Numbers the unknowns. \param keep_angle by place in region.films
-  void set_up(const Foam& foam, const Region& region, std::span<const char> keep_angle);
+  void set_up(const Foam& foam, const Region& region, std::vector<char> keep_angle);
 
   /// \param shift of the second derivatives by positions and half-angles, in units of T/spacing and
-  /// T·d. \returns the films, by place, whose eliminated angles must be kept; if there are any, the
-  /// matrix is of no use.
-  std::vector<std::size_t> assemble(const Foam& foam, const Region& region, double shift);
+  /// T·d. \returns false, and no matrix, if half-angles have had to be made unknowns: the unknowns
+  /// are numbered anew then.
+  bool assemble(const Foam& foam, const Region& region, double shift);
 
   const Unknowns& unknowns() const { return unknowns_; }
-  FilmLagrangian::Each<Index> film_unknowns(std::size_t place) const {
-    return films_[place].unknown;
-  }
-  bool keeps_angle(std::size_t place) const {
-    return films_[place].unknown[FilmLagrangian::kAngle] != kNone;
-  }
+  /// Changes whenever they are numbered.
+  int numbering() const { return numbering_; }
 
-  /// What the eliminated angles' residuals ∂φ/∂α (by place) do to the unknowns: rhs +=
-  /// Bᵀ·g/∂²φ/∂α².
-  void condense(std::span<const double> angle_gradient, std::span<double> rhs) const;
+  /// What the half-angles' residuals ∂φ/∂α (by place) do to a right-hand side: rhs −= ∂φ/∂α where
+  /// they are kept, rhs += Bᵀ·∂φ/∂α/∂²φ/∂α² where they are eliminated.
+  void add_angles(std::span<const double> angle_gradient, std::span<double> rhs) const;
   /// An angle's change that belongs to the unknowns' change x. \param held by how much the film's
   /// variables that are held change
   double angle_change(std::size_t place, double angle_gradient, std::span<const double> x,
@@ -54,27 +50,19 @@ public:
 
   /// from −= K·x.
   void subtract_product(std::span<const double> x, std::span<double> from) const;
-  /// The same where x is numbered otherwise: by `columns`, for each film in its place, and `rows`.
-  void subtract_product(std::span<const double> x,
-                        std::span<const FilmLagrangian::Each<Index>> columns,
-                        std::span<const Index> rows, std::span<double> from) const;
 
   /// By place in region.films; of an eliminated α the last row is what it was before.
   std::span<const FilmMatrix> shares() const { return films_; }
   /// What is added to the shares where they are factorised, by unknown.
-  std::vector<double> diagonal() const;
+  const std::vector<double>& diagonal() const { return diagonal_; }
 
 private:
-  /// \returns false if the film's angle must be kept but is not.
-  bool assemble_film(const Foam& foam, const Region& region, std::size_t place, double shift);
-  double regularisation(std::size_t unknown) const;
-
   Unknowns unknowns_;
+  int numbering_ = 0;
+  std::vector<char> keep_angle_; ///< by place
   std::vector<FilmMatrix> films_;
-  double junction_diagonal_ = 0;
-  double pressure_diagonal_ = 0;
-  double junction_pin_ = 0; ///< of the first one's coordinates
-  double pressure_pin_ = 0; ///< of the first one
+  std::vector<double> regularisation_; ///< by unknown
+  std::vector<double> diagonal_;       ///< the same and the pins
 };
 
 } // namespace foam

@@ -41,11 +41,6 @@ void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::sp
 
 } // namespace
 
-void ReusedFactorisation::analyse(const Foam& foam, const Region& region,
-                                  const NewtonMatrix& matrix) {
-  solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
-}
-
 Index ReusedFactorisation::factorise(const Foam& foam, const Region& region,
                                      const NewtonMatrix& matrix) {
   renumbering_.clear();
@@ -60,6 +55,10 @@ Index ReusedFactorisation::factorise(const Foam& foam, const Region& region,
       films_[f] = state_of(foam, f);
     }
   }
+  if (numbering_ != matrix.numbering()) {
+    solver_.analyse(nested_dissection(foam, region, matrix.unknowns()), matrix.shares());
+    numbering_ = matrix.numbering();
+  }
   return solver_.factorise(matrix.shares(), matrix.diagonal());
 }
 
@@ -67,7 +66,8 @@ bool ReusedFactorisation::adapt(const Foam& foam, const Region& region,
                                 const NewtonMatrix& matrix) {
   solver_.round();
   if (topology_ != foam.topology) {
-    renumbering_ = renumbering(region, matrix.unknowns(), unknowns_);
+    renumbering_ = renumbering(matrix.shares(), place_of(matrix.unknowns().count()),
+                               unknowns_.of_films(foam, region.films));
     topology_ = foam.topology;
   }
   std::vector<Bubble> bubbles = changed_bubbles(foam, region);
@@ -86,22 +86,17 @@ ReusedFactorisation::FilmState ReusedFactorisation::state_of(const Foam& foam, F
           foam.half_angle(h)};
 }
 
-bool ReusedFactorisation::changed(const Foam& foam, Film film) const {
-  if (film.place() >= films_.size()) {
-    return true;
-  }
-  const FilmState now = state_of(foam, film);
-  const FilmState& before = films_[film];
-  return now.ends != before.ends || now.sides != before.sides ||
-         norm(now.chord - before.chord) > kLargestChange * norm(before.chord) ||
-         std::abs(now.angle - before.angle) > kLargestChange;
+bool ReusedFactorisation::FilmState::changed(const FilmState& now) const {
+  return now.ends != ends || now.sides != sides ||
+         norm(now.chord - chord) > kLargestChange * norm(chord) ||
+         std::abs(now.angle - angle) > kLargestChange;
 }
 
 std::vector<Bubble> ReusedFactorisation::changed_bubbles(const Foam& foam,
                                                          const Region& region) const {
   std::vector<Bubble> bubbles;
   for (const Film f : region.films) {
-    if (changed(foam, f)) {
+    if (f.place() >= films_.size() || films_[f].changed(state_of(foam, f))) {
       bubbles.insert(bubbles.end(), {foam.left(f.half()), foam.right(f.half())});
     }
   }
@@ -116,42 +111,31 @@ bool ReusedFactorisation::make_patch(const Foam& foam, const Region& region,
   if (static_cast<double>(around.bubbles.size()) > most) {
     return false;
   }
-  patch_ = std::make_unique<Patch>();
-  Patch& made = *patch_;
-  made.topology = foam.topology;
-  made.bubbles = std::move(bubbles);
-  std::vector<char> keep_angle;
-  for (const Film f : around.films) {
-    keep_angle.push_back(keeps_angle(f) ? 1 : 0);
-    made.columns.push_back(matrix.unknowns().of_film(foam, f));
-  }
-  made.matrix.set_up(foam, around, keep_angle);
-  made.matrix.assemble(foam, around, 0);
-  made.rows = renumbering(around, made.matrix.unknowns(), matrix.unknowns());
-  made.solver.analyse(nested_dissection(foam, around, made.matrix.unknowns()),
-                      made.matrix.shares());
-  if (made.solver.factorise(made.matrix.shares(), made.matrix.diagonal()) < 0) {
+  std::vector<char> keep_angle(around.films.size());
+  std::ranges::transform(around.films, keep_angle.begin(),
+                         [&](Film f) { return keeps_angle(f) ? 1 : 0; });
+  NewtonMatrix part;
+  part.set_up(foam, around, std::move(keep_angle));
+  part.assemble(foam, around, 0);
+  patch_ = std::make_unique<Patch>(Patch{foam.topology, std::move(bubbles), {}});
+  const bool regular =
+      patch_->correction.set_up({part.shares().begin(), part.shares().end()}, part.diagonal(),
+                                matrix.unknowns().of_films(foam, around.films),
+                                nested_dissection(foam, around, part.unknowns()));
+  if (!regular) {
     patch_.reset();
-    return false;
   }
-  return true;
+  return regular;
 }
 
 void ReusedFactorisation::solve(std::span<double> rhs) {
-  std::vector<double> rest;
-  if (patch_) {
-    for (const Index u : patch_->rows) {
-      rest.push_back(rhs[place_of(u)]);
-    }
+  if (!patch_) {
+    solve_as_before(rhs);
+    return;
   }
+  std::vector<double> load = patch_->correction.part_of(rhs);
   solve_as_before(rhs);
-  if (patch_) {
-    patch_->matrix.subtract_product(rhs, patch_->columns, patch_->rows, rest);
-    patch_->solver.solve(rest);
-    for (std::size_t u = 0; u < rest.size(); ++u) {
-      rhs[place_of(patch_->rows[u])] += rest[u];
-    }
-  }
+  patch_->correction.correct(std::move(load), rhs);
 }
 
 /// With the matrix that was factorised. What was not there then does not move, and its part of the

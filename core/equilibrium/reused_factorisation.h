@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/multifrontal_solver.h"
+#include "algebra/patch_correction.h"
 #include "equilibrium/newton_matrix.h"
 
 namespace foam {
@@ -15,14 +16,11 @@ namespace foam {
 /// The factorisation of a whole foam's or a patch's Newton matrix, which goes on serving while the
 /// foam moves and changes its topology in a few places.
 ///
-/// Where films have other neighbours since, or another shape, its solution is put right by a second
-/// solve: with the present matrix in a patch around those films, all else held (multiplicative
-/// Schwarz: B. F. Smith, P. E. Bjørstad, W. D. Gropp, Domain Decomposition, 1996, ch. 1). What is
-/// left is small and smooth, so that an iteration with it contracts.
+/// Where films have other neighbours since, or another shape, its solution is put right in a patch
+/// around those films, with the present matrix there. What is left is small and smooth, so that an
+/// iteration with it contracts.
 class ReusedFactorisation {
 public:
-  /// Symbolic factorisation.
-  void analyse(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// \returns the number of negative pivots, or −1 if it cannot be factorised.
   Index factorise(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
 
@@ -31,7 +29,7 @@ public:
   /// \returns false if too much has changed.
   bool adapt(const Foam& foam, const Region& region, const NewtonMatrix& matrix);
   /// Whether the film's half-angle was an unknown.
-  bool keeps_angle(Film film) const { return unknowns_.angle(film) != kNone; }
+  bool keeps_angle(Film film) const { return unknowns_.keeps_angle(film); }
 
   /// Replaces the right-hand side by the solution, which is approximate after adapt().
   void solve(std::span<double> rhs);
@@ -44,23 +42,23 @@ private:
     std::array<Bubble, 2> sides;  ///< left, right
     Vec2 chord;
     double angle = 0;
+
+    /// Whether it has become another since.
+    bool changed(const FilmState& now) const;
   };
   /// Around the films that have changed.
   struct Patch {
     std::uint64_t topology = 0;
     std::vector<Bubble> bubbles; ///< at those films
-    NewtonMatrix matrix;
-    MultifrontalSolver solver;
-    std::vector<Index> rows;                          ///< its unknowns' numbers in the whole matrix
-    std::vector<FilmLagrangian::Each<Index>> columns; ///< its films' unknowns' numbers there
+    PatchCorrection<FilmLagrangian::kVariables> correction;
   };
   static FilmState state_of(const Foam& foam, Film film);
-  bool changed(const Foam& foam, Film film) const;
   std::vector<Bubble> changed_bubbles(const Foam& foam, const Region& region) const;
   bool make_patch(const Foam& foam, const Region& region, std::vector<Bubble> bubbles,
                   const NewtonMatrix& matrix);
 
   MultifrontalSolver solver_;
+  int numbering_ = 0; ///< of the matrix that was analysed
   bool whole_ = false;
   Surroundings surroundings_;
   Unknowns unknowns_;

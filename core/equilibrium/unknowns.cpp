@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "equilibrium/unknowns.h"
 
+#include <algorithm>
+
 namespace foam {
-
-template <class Element> void Unknowns::Numbers<Element>::clear(std::size_t capacity) {
-  for (const Element element : elements_) {
-    numbers_[element] = kNone;
-  }
-  elements_.clear();
-  numbers_.resize(capacity, kNone);
-}
-
-template <class Element> void Unknowns::Numbers<Element>::put(Element element, Index number) {
-  elements_.push_back(element);
-  numbers_[element] = number;
-}
 
 void Unknowns::number(const Foam& foam, const Region& region, std::span<const char> keep_angle) {
   junctions_.clear(foam.position.size());
@@ -39,36 +28,24 @@ void Unknowns::number(const Foam& foam, const Region& region, std::span<const ch
 
 FilmLagrangian::Each<Index> Unknowns::of_film(const Foam& foam, Film film) const {
   const Half h = film.half();
-  const Index a = junction(foam.start(h));
-  const Index b = junction(foam.end(h));
+  const Index a = junctions_.at(foam.start(h));
+  const Index b = junctions_.at(foam.end(h));
+  const auto pressure = [&](Bubble bubble) {
+    return bubble.is_outside() ? Index{kNone} : bubbles_.at(bubble);
+  };
   return {a,
           a == kNone ? kNone : a + 1,
           b,
           b == kNone ? kNone : b + 1,
-          bubble(foam.left(h)),
-          bubble(foam.right(h)),
-          angle(film)};
+          pressure(foam.left(h)),
+          pressure(foam.right(h)),
+          angles_.at(film)};
 }
 
-std::vector<Index> renumbering(const Region& region, const Unknowns& from, const Unknowns& to) {
-  std::vector<Index> numbers(place_of(from.count()), kNone);
-  const auto put = [&](Index number, Index other) {
-    if (number != kNone) {
-      numbers[place_of(number)] = other;
-    }
-  };
-  for (const Junction j : region.junctions) {
-    const Index x = from.junction(j);
-    const Index other = to.junction(j);
-    put(x, other);
-    put(x == kNone ? kNone : x + 1, other == kNone ? kNone : other + 1);
-  }
-  for (const Bubble b : region.bubbles) {
-    put(from.bubble(b), to.bubble(b));
-  }
-  for (const Film f : region.films) {
-    put(from.angle(f), to.angle(f));
-  }
+std::vector<FilmLagrangian::Each<Index>> Unknowns::of_films(const Foam& foam,
+                                                            std::span<const Film> films) const {
+  std::vector<FilmLagrangian::Each<Index>> numbers(films.size());
+  std::ranges::transform(films, numbers.begin(), [&](Film f) { return of_film(foam, f); });
   return numbers;
 }
 

@@ -6,12 +6,13 @@
 
 #include "equilibrium/domain.h"
 #include "mesh/foam.h"
+#include "mesh/sparse_numbers.h"
 #include "physics/film_lagrangian.h"
 
 namespace foam {
 
 /// The unknowns of a region, numbered: x and y of every junction, then every bubble's pressure,
-/// then the half-angles that are kept.
+/// then the half-angles that are kept, each in the region's order.
 class Unknowns {
 public:
   /// Costs no more than the region before and this one are large, but for the first time.
@@ -22,38 +23,21 @@ public:
   Index first_pressure() const { return first_pressure_; }
   Index first_angle() const { return first_angle_; }
 
-  // Numbers, or kNone for what is held, eliminated, or was not there when this was set up.
-  /// Of x; that of y follows.
-  Index junction(Junction junction) const { return junctions_.at(junction); }
-  Index bubble(Bubble bubble) const { return bubble.is_outside() ? kNone : bubbles_.at(bubble); }
-  Index angle(Film film) const { return angles_.at(film); }
-  /// In the order of FilmLagrangian.
+  /// A film's, in the order of FilmLagrangian; kNone for what is held, eliminated, or was not there
+  /// when they were numbered.
   FilmLagrangian::Each<Index> of_film(const Foam& foam, Film film) const;
+  /// By place in the list.
+  std::vector<FilmLagrangian::Each<Index>> of_films(const Foam& foam,
+                                                    std::span<const Film> films) const;
+  bool keeps_angle(Film film) const { return angles_.at(film) != kNone; }
 
 private:
-  /// Of some elements among many.
-  template <class Element> class Numbers {
-  public:
-    void clear(std::size_t capacity);
-    void put(Element element, Index number);
-    Index at(Element element) const {
-      return element.place() < numbers_.size() ? numbers_[element] : kNone;
-    }
-
-  private:
-    Field<Element, Index> numbers_;
-    std::vector<Element> elements_; ///< that have one
-  };
-
-  Numbers<Junction> junctions_;
-  Numbers<Bubble> bubbles_;
-  Numbers<Film> angles_;
+  SparseNumbers<Junction> junctions_; ///< of x; that of y follows
+  SparseNumbers<Bubble> bubbles_;
+  SparseNumbers<Film> angles_;
   Index first_pressure_ = 0;
   Index first_angle_ = 0;
   Index count_ = 0;
 };
-
-/// By the numbers that a region's unknowns have in one numbering, those in another, or kNone.
-std::vector<Index> renumbering(const Region& region, const Unknowns& from, const Unknowns& to);
 
 } // namespace foam

@@ -3,15 +3,14 @@
 // Newton's method for a whole foam on an executor (parallel/host.h), every step of it in parallel.
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "equilibrium/krylov_solver.h"
-#include "equilibrium/measures.h"
 #include "equilibrium/newton.h"
 #include "equilibrium/options.h"
 #include "equilibrium/swaps.h"
+#include "physics/equilibrium_measures.h"
 
 namespace foam::newton {
 
@@ -29,18 +28,6 @@ inline void note(Foam& foam, const NewtonResult& result) {
   foam.report = result.report;
 }
 
-/// √(mean target area) of a mesh's bubbles, cm (Foam::mean_spacing).
-template <class Executor> double mean_spacing(Executor& executor, const ConstFoamView& mesh) {
-  const double total = executor.reduce(
-      mesh.bubble_slots(), 0.0,
-      FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? mesh.target_area[b] : 0.0; },
-      parallel::Add{});
-  const Index count = executor.reduce(
-      mesh.bubble_slots(), Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
-      parallel::Add{});
-  return std::sqrt(total / std::max(count, Index{1}));
-}
-
 template <class Executor> class WholeFoamNewton {
 public:
   /// \param direct see KrylovSolver.
@@ -53,19 +40,18 @@ public:
   /// Where it throws Aborted the mesh is somewhere in between.
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
     Problem problem(executor_, mesh, swaps_, t1_length);
-    NewtonResult result;
+    int iterations = 0;
     const int before = solver_.iterations();
-    const Outcome outcome =
-        newton_.relax(problem, solver_, options_.tolerance, result.report.iterations,
-                      options_.maximum_iterations, aborted);
+    const Outcome outcome = newton_.relax(problem, solver_, options_.tolerance, iterations,
+                                          options_.maximum_iterations, aborted);
     const EquilibriumMeasures measures = measure_equilibrium(executor_, const_view(mesh));
-    result.report.converged = outcome.converged;
-    result.report.max_angle_error = measures.angle_error;
-    result.report.max_area_error = measures.area_error;
-    result.report.residual = outcome.residual.largest();
-    result.t1 = problem.swapped();
-    result.inner_iterations = solver_.iterations() - before;
-    return result;
+    return {.report = {.converged = outcome.converged,
+                       .iterations = iterations,
+                       .max_angle_error = measures.angle_error,
+                       .max_area_error = measures.area_error,
+                       .residual = outcome.residual.largest()},
+            .t1 = problem.swapped(),
+            .inner_iterations = solver_.iterations() - before};
   }
 
   /// Whether a mesh is so far from equilibrium that some film is in the way of Newton's first step:
@@ -82,7 +68,8 @@ private:
     Problem(Executor& executor, const FoamView& mesh, SwapsAtOnce<Executor>& swaps,
             double t1_length)
         : mesh_(mesh),
-          domain_(whole_mesh(const_view(mesh), mean_spacing(executor, const_view(mesh)))),
+          domain_(whole_mesh(const_view(mesh), mean_spacing(executor, const_view(mesh),
+                                                            Elements(mesh.bubble_slots())))),
           swaps_(swaps), t1_length_(t1_length) {
       swaps_.begin(mesh_);
     }

@@ -23,13 +23,13 @@ void remove_common_pressure(Executor& executor, const ConstFoamView& mesh,
   if (!mesh.surroundings.closed()) {
     return;
   }
-  const Index count = executor.reduce(
-      bubbles, Index{0}, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? 1 : 0; },
+  const Vec2 sum = executor.reduce( // in x that of the pressures, in y how many
+      bubbles, Vec2{},
+      FOAM_KERNEL(Bubble b) {
+        return mesh.has_bubble(b) ? Vec2{pressure[b], 1} : Vec2{};
+      },
       parallel::Add{});
-  const double sum = executor.reduce(
-      bubbles, 0.0, FOAM_KERNEL(Bubble b) { return mesh.has_bubble(b) ? pressure[b] : 0; },
-      parallel::Add{});
-  const double mean = sum / count;
+  const double mean = sum.x / sum.y;
   executor.for_each(
       bubbles, FOAM_KERNEL(Bubble b) {
         if (mesh.has_bubble(b)) {

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "geometry/arc.h"
+#include "mesh/ids.h"
 
 namespace foam {
 
@@ -30,6 +31,20 @@ struct FilmLagrangian {
   Each<double> gradient{};
   Each<Each<double>> hessian{}; ///< symmetric, both triangles filled
 };
+
+/// What belongs to a film's variables, in the order of FilmLagrangian.
+/// \param of_junction of_junction(junction) has x and y; \param of_bubble of_bubble(bubble), be it
+/// an outside
+template <class Mesh, class OfJunction, class OfBubble>
+FOAM_HOST_DEVICE FilmLagrangian::Each<double>
+film_variables(const Mesh& mesh, Film film, const OfJunction& of_junction,
+               const OfBubble& of_bubble, double of_angle) {
+  const Half h = film.half();
+  const Vec2 start = of_junction(mesh.start(h));
+  const Vec2 end = of_junction(mesh.end(h));
+  return {start.x, start.y, end.x, end.y, of_bubble(mesh.left(h)), of_bubble(mesh.right(h)),
+          of_angle};
+}
 
 /// φ's derivatives by (a_x, a_y, b_x, b_y, α).
 struct FilmForces {
@@ -112,6 +127,17 @@ FOAM_HOST_DEVICE inline void eliminate_angle(FilmLagrangian& film) {
       film.hessian[i][j] -= factor * film.hessian[k][j];
     }
   }
+}
+
+/// The change of an eliminated α that goes with one of the other variables. \param gradient ∂φ/∂α,
+/// which it takes away; \param row ∂²φ/∂α² and before it those by α and the others.
+FOAM_HOST_DEVICE inline double eliminated_angle(double gradient, const double* row,
+                                                const FilmLagrangian::Each<double>& change) {
+  double sum = gradient;
+  for (std::size_t k = 0; k < FilmLagrangian::kAngle; ++k) {
+    sum += row[k] * change[k];
+  }
+  return -sum / row[FilmLagrangian::kAngle];
 }
 
 } // namespace foam

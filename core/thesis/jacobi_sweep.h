@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "base/abort.h"
-#include "equilibrium/measures.h"
 #include "equilibrium/options.h"
+#include "physics/equilibrium_measures.h"
 #include "thesis/junction_step.h"
 #include "thesis/one_tension.h"
 #include "thesis/update_order.h"

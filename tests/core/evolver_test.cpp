@@ -6,8 +6,8 @@
 #include <random>
 
 #include "engines/engines.h"
-#include "equilibrium/equilibrator.h"
 #include "mesh/validate.h"
+#include "physics/equilibrium_measures.h"
 #include "reference.h"
 
 namespace foam::test {

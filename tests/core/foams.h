@@ -11,6 +11,7 @@
 #include "equilibrium/equilibrator.h"
 #include "mesh/film_set.h"
 #include "mesh/validate.h"
+#include "physics/equilibrium_measures.h"
 
 namespace foam::test {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mesh/element_measures.h"
+#include "mesh/foam.h"
 #include "mesh/foam_view.h"
 #include "parallel/kernels.h"
 
@@ -43,5 +44,24 @@ EquilibriumMeasures measure_equilibrium(Executor& executor, const ConstFoamView&
       },
       parallel::Add{});
 }
+
+/// Largest deviation at junctions that may move from the angles that their films' tensions ask for
+/// (rad).
+double max_angle_error(const Foam& foam);
+
+/// Largest |A − A^τ|/A^τ.
+double max_area_error(const Foam& foam);
+
+/// Largest |2 sin α − q·d/T| of films: how far they are from Laplace and Young's law. One whose
+/// pressure difference q asks for less than half its chord d as radius counts as a half circle.
+double max_curvature_error(const Foam& foam);
+
+/// How far a foam is from equilibrium, found by measuring it. Nobody has said that it converged.
+EquilibriumReport measured_report(const Foam& foam);
+
+/// A report of a foam, if it is true: if the foam's angles, areas and curvatures are no further off
+/// than it says and than they can be by rounding. Otherwise what is measured, not `converged`.
+/// \param rounding of a coordinate, cm
+EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, double rounding);
 
 } // namespace foam

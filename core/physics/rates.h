@@ -19,25 +19,10 @@ struct Rates {
     if (junctions.empty()) {
       return {};
     }
-    const Half h = film.half();
-    const Vec2 start = of_junction(foam, foam.start(h));
-    const Vec2 end = of_junction(foam, foam.end(h));
-    const auto pressure = [&](Bubble bubble) {
-      return bubble.is_outside() ? 0 : pressures[bubble.place()];
-    };
-    return {start.x,
-            start.y,
-            end.x,
-            end.y,
-            pressure(foam.left(h)),
-            pressure(foam.right(h)),
-            angles[film.place()]};
-  }
-
-private:
-  /// A wall holds what has come to it since.
-  Vec2 of_junction(const Foam& foam, Junction junction) const {
-    return foam.freedom(junction).of(junctions[junction.place()]);
+    // A wall holds what has come to it since.
+    const auto of_junction = [&](Junction j) { return foam.freedom(j).of(junctions[j.place()]); };
+    const auto of_bubble = [&](Bubble b) { return b.is_outside() ? 0 : pressures[b.place()]; };
+    return film_variables(foam, film, of_junction, of_bubble, angles[film.place()]);
   }
 };
 

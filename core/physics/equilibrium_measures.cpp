@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/equilibrium_measures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "equilibrium/equilibrator.h"
 #include "mesh/element_measures.h"
 #include "parallel/host.h"
 

@@ -22,6 +22,7 @@
 #include "PipelineRequest.h"
 #include "construct/from_points.h"
 #include "engines/engines.h"
+#include "equilibrium/obstacle.h"
 #include "physics/equilibrium_measures.h"
 #include "sampling/sampled_foam.h"
 
@@ -242,7 +243,7 @@ void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
     if (!foam.report.converged) {
       vtkWarningMacro("The foam did not reach equilibrium: residual "
                       << foam.report.residual << " after " << foam.report.iterations
-                      << " iterations.");
+                      << " iterations. What stands in the way: " << foam::obstacle(foam) << ".");
     }
   } catch (const foam::Aborted&) {
     // What there is of the foam is shown.

@@ -14,21 +14,21 @@
 namespace foam {
 namespace {
 
-constexpr int kSweeps = 160;
-constexpr int kSweepsBetweenSwaps = 3;
-constexpr int kSweepsBetweenPressures = 5;
-constexpr double kStiffness = 16;       // bulk modulus of a bubble's gas, in units of T/√A^τ
-constexpr double kEmptiest = 0.05;      // A/A^τ below which the gas gets no harder
+constexpr int kRounds = 400;
+constexpr int kSweeps = 5;              // of a round, at the end of which pressures are updated
+constexpr double kSoftest = 1;          // bulk modulus of a bubble's gas, in units of T/√A^τ,
+constexpr double kHardest = 4;          // at first and in the end,
+constexpr double kHardening = 2;        // what it grows by in a round
+constexpr double kCalm = 0.3;           // that leaves junctions' forces below this, in units of T
+constexpr double kEmptiest = 0.01;      // A/A^τ below which the gas gets no harder
 constexpr double kSmallestLength = 0.1; // of a film, of the T1 length
-constexpr double kLargestAngle = std::numbers::pi / 3;
-constexpr double kAtRest =
-    1e-3; // largest move of a foam that is at rest, of a junction's shortest film
+constexpr double kLargestAngle = 0.47 * std::numbers::pi;
 
 class Relaxation {
 public:
-  Relaxation(Foam& foam, double smallest_length)
+  Relaxation(Foam& foam, double t1_length)
       : foam_(foam), tension_(foam.reference_tension()), area_(foam.pressure.size()),
-        smallest_length_(smallest_length) {}
+        t1_length_(t1_length) {}
 
   void measure_areas() {
     for (const Bubble b : foam_.bubble_slots()) {
@@ -39,16 +39,22 @@ public:
   }
 
   /// Method of multipliers: the gas at its target area takes over a part of the pressure.
-  void update_pressures() {
+  /// \returns the largest |A − A^τ|/A^τ.
+  double update_pressures() {
+    double largest = 0;
     for (const Bubble b : foam_.bubble_slots()) {
       if (foam_.has_bubble(b)) {
         const double x = area_[b] / foam_.target_area[b];
         foam_.pressure[b] += bulk_modulus(b) * (1 - std::clamp(x, 0.0, 2.0));
+        largest = std::max(largest, std::abs(x - 1));
       }
     }
+    return largest;
   }
 
-  /// \returns the largest move of a junction, relative to its shortest film.
+  void harden() { stiffness_ = std::min(kHardening * stiffness_, kHardest); }
+
+  /// \returns the largest force on a junction, in units of T, as it was before its move.
   double sweep() {
     double largest = 0;
     for (const Junction j : foam_.junction_slots()) {
@@ -58,6 +64,10 @@ public:
     }
     for (const Film f : foam_.film_slots()) {
       if (foam_.bends(f)) {
+        if (is_short(f)) {
+          turn(f);
+          move_together(f);
+        }
         bend(f);
       }
     }
@@ -65,11 +75,14 @@ public:
   }
 
 private:
+  /// Whether a film is in the way of its ends: neither moves far without the other.
+  bool is_short(Film film) const { return norm(foam_.chord(film.half())) < t1_length_; }
+
   /// A/A^τ, kept away from 0.
   double filling(Bubble b) const { return std::max(area_[b] / foam_.target_area[b], kEmptiest); }
 
   double bulk_modulus(Bubble b) const {
-    return kStiffness * tension_ / std::sqrt(foam_.target_area[b]);
+    return stiffness_ * tension_ / std::sqrt(foam_.target_area[b]);
   }
 
   double pressure(Bubble b) const {
@@ -80,72 +93,168 @@ private:
     return foam_.pressure[b] + bulk_modulus(b) * (x < 1 ? 1 / x - 1 : 1 - x);
   }
 
-  /// −dp/dA
+  /// −Δp/ΔA on the way to the target area.
   double stiffness(Bubble b) const {
     if (b.is_outside()) {
       return 0;
     }
-    const double x = filling(b);
-    return bulk_modulus(b) / foam_.target_area[b] * (x < 1 ? 1 / (x * x) : 1);
+    const double x = area_[b] / foam_.target_area[b];
+    const double filled = filling(b);
+    return bulk_modulus(b) / foam_.target_area[b] * (x < 1 ? (1 - filled) / (filled * (1 - x)) : 1);
   }
 
-  /// One step of Newton's method in the position. The matrix is that of the stretched films and of
-  /// the gas, without what could make it indefinite.
-  double move(Junction junction) {
-    const auto& halves = foam_.junction_half[junction];
-    std::array<Vec2, 3> chord;
+  /// A junction and what surrounds it.
+  struct Corner {
+    std::array<Half, 3> halves{};
+    std::array<Vec2, 3> chord{};
     std::array<double, 3> bulge{};  // segment area over d², on the left bubble's account
     std::array<Bubble, 3> bubble{}; // left of halves[k]: between it and the next
-    Vec2 force;
-    double stretch = 0;
-    double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-      chord[k] = foam_.chord(halves[k]);
-      bubble[k] = foam_.left(halves[k]);
-      const ArcShape shape = arc_shape(foam_.half_angle(halves[k]));
-      const double tension = foam_.tension(halves[k].film());
-      bulge[k] = shape.g;
-      const double d = norm(chord[k]);
-      shortest = std::min(shortest, d);
-      force += (tension * shape.f / d) * chord[k];
-      stretch += tension * shape.f / d;
+
+    /// ∂A/∂x of the bubble between the films k and k + 1.
+    Vec2 area_slope(std::size_t k) const {
+      const std::size_t next = (k + 1) % 3;
+      const Vec2 across = chord[k] - chord[next];
+      return Vec2{0.5 * across.y, -0.5 * across.x} - (2 * bulge[k]) * chord[k] +
+             (2 * bulge[next]) * chord[next];
     }
-    std::array<double, 3> matrix{stretch, 0, stretch}; // xx, xy, yy
+  };
+
+  Corner corner(Junction junction) const {
+    Corner c{.halves = foam_.junction_half[junction]};
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2 slope = area_slope(chord, bulge, k);
-      force += pressure(bubble[k]) * slope;
-      const double hardness = stiffness(bubble[k]);
+      c.chord[k] = foam_.chord(c.halves[k]);
+      c.bulge[k] = arc_shape(foam_.half_angle(c.halves[k])).g;
+      c.bubble[k] = foam_.left(c.halves[k]);
+    }
+    return c;
+  }
+
+  /// What pulls at a point: films, and gas by the change of areas.
+  struct Pull {
+    Vec2 force;                                                // of films, N/cm
+    double stretch = 0;                                        // their stiffness, N/cm²
+    double shortest = std::numeric_limits<double>::infinity(); // of their chords, cm
+    std::array<Bubble, 6> bubble{};
+    std::array<Vec2, 6> slope{}; // ∂A/∂x, cm
+    std::size_t bubbles = 0;
+
+    void add(Bubble b, Vec2 area_slope) {
+      const auto* const known = std::find(bubble.data(), bubble.data() + bubbles, b);
+      const auto i = static_cast<std::size_t>(known - bubble.data());
+      bubble[i] = b;
+      slope[i] += area_slope;
+      bubbles = std::max(bubbles, i + 1);
+    }
+  };
+
+  /// Adds what pulls at a junction, but for one film.
+  void add_pull(const Corner& c, Film except, Pull& pull) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Film film = c.halves[k].film();
+      if (film != except) {
+        const double d = norm(c.chord[k]);
+        const double pull_over_d = foam_.tension(film) * arc_shape(foam_.film_angle[film]).f / d;
+        pull.force += pull_over_d * c.chord[k];
+        pull.stretch += pull_over_d;
+        pull.shortest = std::min(pull.shortest, d);
+      }
+      pull.add(c.bubble[k], c.area_slope(k));
+    }
+  }
+
+  /// One step of Newton's method in a position, and the force in it (N/cm). The matrix is that of
+  /// the stretched films and of the gas, without what could make it indefinite.
+  struct Step {
+    Vec2 step, force;
+  };
+  Step newton_step(const Pull& pull) const {
+    Vec2 force = pull.force;
+    std::array<double, 3> matrix{pull.stretch, 0, pull.stretch}; // xx, xy, yy
+    for (std::size_t i = 0; i < pull.bubbles; ++i) {
+      const Vec2 slope = pull.slope[i];
+      force += pressure(pull.bubble[i]) * slope;
+      const double hardness = stiffness(pull.bubble[i]);
       matrix[0] += hardness * slope.x * slope.x;
       matrix[1] += hardness * slope.x * slope.y;
       matrix[2] += hardness * slope.y * slope.y;
     }
     const double determinant = matrix[0] * matrix[2] - matrix[1] * matrix[1];
-    Vec2 step{(matrix[2] * force.x - matrix[1] * force.y) / determinant,
-              (matrix[0] * force.y - matrix[1] * force.x) / determinant};
-    for (std::size_t k = 0; k < 3; ++k) { // a film that is not swapped turns rather than vanishes
-      const double d = norm(chord[k]);
-      const double closing = dot(step, chord[k]);
-      if (d < smallest_length_ && closing > 0) {
-        step -= (closing / (d * d)) * chord[k];
-      }
+    return {{(matrix[2] * force.x - matrix[1] * force.y) / determinant,
+             (matrix[0] * force.y - matrix[1] * force.x) / determinant},
+            force};
+  }
+
+  /// \returns the force, in units of T
+  double move(Junction junction) {
+    const Corner c = corner(junction);
+    Pull pull;
+    add_pull(c, kNone, pull);
+    const auto [step, force] = newton_step(pull);
+    displace(junction, c, limited(step, pull.shortest));
+    return norm(force) / tension_;
+  }
+
+  /// Turns a film to where its ends are pulled apart the most, and keeps it from vanishing.
+  void turn(Film film) {
+    const Half h = film.half();
+    const Junction start = foam_.start(h);
+    const Junction end = foam_.end(h);
+    const Vec2 chord = foam_.chord(h);
+    const auto pull = [&](Half of) { // of the other two films at its start
+      const Half next = foam_.next_around_junction(of);
+      const Half last = foam_.previous_around_junction(of);
+      return foam_.tension(next.film()) * foam_.tangent(next) +
+             foam_.tension(last.film()) * foam_.tangent(last);
+    };
+    const bool turns = foam_.moves(start) && foam_.moves(end);
+    const Vec2 along = turns ? pull(h.twin()) - pull(h) : chord;
+    const double length = std::max(norm(chord), kSmallestLength * t1_length_);
+    const double strength = norm(along);
+    if (!(strength > 0)) {
+      return;
     }
+    const Vec2 change = (length / strength) * along - chord;
+    if (foam_.moves(start)) {
+      displace(start, corner(start), (turns ? -0.5 : -1.0) * change);
+    }
+    if (foam_.moves(end)) {
+      displace(end, corner(end), (turns ? 0.5 : 1.0) * change);
+    }
+  }
+
+  /// Moves both ends of a film.
+  void move_together(Film film) {
+    const Junction start = foam_.start(film.half());
+    const Junction end = foam_.end(film.half());
+    if (!foam_.moves(start) || !foam_.moves(end)) {
+      return;
+    }
+    Pull pull;
+    add_pull(corner(start), film, pull);
+    add_pull(corner(end), film, pull);
+    const Vec2 step = limited(newton_step(pull).step, pull.shortest);
+    displace(start, corner(start), step);
+    displace(end, corner(end), step);
+  }
+
+  static Vec2 limited(Vec2 step, double shortest) {
     const double length = norm(step);
-    if (length > kLargestMove * shortest) {
-      step = (kLargestMove * shortest / length) * step;
-    }
+    return length > kLargestMove * shortest ? (kLargestMove * shortest / length) * step : step;
+  }
+
+  void displace(Junction junction, const Corner& c, Vec2 step) {
     foam_.position[junction] += step;
     std::array<double, 3> bulge_change{}; // of the segments' areas
     for (std::size_t k = 0; k < 3; ++k) {
-      bulge_change[k] = bulge[k] * dot(step, step - 2 * chord[k]);
+      bulge_change[k] = c.bulge[k] * dot(step, step - 2 * c.chord[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
-      if (!bubble[k].is_outside()) {
-        area_[bubble[k]] +=
-            0.5 * cross(step, chord[k] - chord[next]) + bulge_change[k] - bulge_change[next];
+      if (!c.bubble[k].is_outside()) {
+        area_[c.bubble[k]] +=
+            0.5 * cross(step, c.chord[k] - c.chord[next]) + bulge_change[k] - bulge_change[next];
       }
     }
-    return std::min(length / shortest, kLargestMove);
   }
 
   /// One step of Newton's method in the half-angle.
@@ -171,25 +280,36 @@ private:
     alpha = bent;
   }
 
-  /// ∂A/∂x of the bubble between the films k and k + 1 of a junction.
-  static Vec2 area_slope(const std::array<Vec2, 3>& chord, const std::array<double, 3>& bulge,
-                         std::size_t k) {
-    const std::size_t next = (k + 1) % 3;
-    const Vec2 across = chord[k] - chord[next];
-    return Vec2{0.5 * across.y, -0.5 * across.x} - (2 * bulge[k]) * chord[k] +
-           (2 * bulge[next]) * chord[next];
-  }
-
   Foam& foam_;
   double tension_; ///< that forces are measured in
   Field<Bubble, double> area_;
-  double smallest_length_;
+  double t1_length_;
+  double stiffness_ = kSoftest; ///< bulk modulus, in units of T/√A^τ
 };
+
+/// Whether a film that is short opens more when it is swapped. Where four films with the forces f
+/// meet in a point, two of them are parted from the other two by a film of tension T and length l
+/// at an energy of T·l − ½·|f₁ + f₂ − f₃ − f₄|·l. This is unstable_to_t1() for a point that is
+/// not balanced.
+bool opens_across(const Foam& foam, Film film) {
+  if (!foam.moves(foam.start(film.half())) || !foam.moves(foam.end(film.half()))) {
+    return unstable_to_t1(foam, film);
+  }
+  const auto force = [&](Half h) { return foam.tension(h.film()) * foam.tangent(h); };
+  const Half h = film.half();
+  const Vec2 f1 = force(foam.next_around_junction(h));
+  const Vec2 f2 = force(foam.previous_around_junction(h));
+  const Vec2 f3 = force(foam.next_around_junction(h.twin()));
+  const Vec2 f4 = force(foam.previous_around_junction(h.twin()));
+  const double across = 0.5 * norm(f1 + f4 - f2 - f3);
+  const double along = 0.5 * norm(f1 + f2 - f3 - f4);
+  return across > std::max(foam.tension(film), along);
+}
 
 void swap_short_films(Foam& foam, double t1_length) {
   for (const Film f : foam.film_slots()) {
     if (foam.has_film(f) && foam.length(f.half()) <= t1_length && spares_sides(foam, f) &&
-        can_perform_t1(foam, f) && unstable_to_t1(foam, f)) {
+        can_perform_t1(foam, f) && opens_across(foam, f)) {
       perform_t1(foam, f);
     }
   }
@@ -197,23 +317,27 @@ void swap_short_films(Foam& foam, double t1_length) {
 
 } // namespace
 
-void relax_compressible(Foam& foam, double t1_length, const AbortCheck& aborted) {
-  Relaxation relaxation(foam, kSmallestLength * t1_length);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    if (aborted && aborted()) {
-      throw Aborted();
-    }
-    if (sweep % kSweepsBetweenSwaps == 0) {
+bool relax_compressible(Foam& foam, double t1_length, double closeness, const AbortCheck& aborted) {
+  Relaxation relaxation(foam, t1_length);
+  for (int round = 0; round < kRounds; ++round) {
+    double force = 0;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      if (aborted && aborted()) {
+        throw Aborted();
+      }
       swap_short_films(foam, t1_length);
+      relaxation.measure_areas();
+      force = relaxation.sweep();
     }
-    relaxation.measure_areas();
-    if (sweep > 0 && sweep % kSweepsBetweenPressures == 0) {
-      relaxation.update_pressures();
+    const double area_error = relaxation.update_pressures();
+    if (force < closeness && area_error < closeness) {
+      return true;
     }
-    if (relaxation.sweep() < kAtRest) {
-      return;
+    if (force < kCalm) {
+      relaxation.harden();
     }
   }
+  return false;
 }
 
 } // namespace foam

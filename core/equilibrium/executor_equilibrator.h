@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/equilibrator.h"
+#include "equilibrium/far_start.h"
 #include "equilibrium/whole_foam_newton.h"
 
 namespace foam {
@@ -20,19 +20,22 @@ public:
   /// \param direct see newton::KrylovSolver
   explicit ExecutorEquilibrator(const EquilibratorOptions& options, Executor executor = Executor(),
                                 std::unique_ptr<DirectSolver> direct = nullptr)
-      : executor_(std::move(executor)), newton_(executor_, options, std::move(direct)) {}
+      : executor_(std::move(executor)), newton_(executor_, options, std::move(direct)),
+        most_iterations_(options.maximum_iterations) {}
 
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override {
     Foam changed = foam;
     copy_.upload(changed);
-    if (newton_.is_far(copy_.view())) {
-      relax_compressible(changed, t1_length, aborted);
-      copy_.upload(changed);
-    }
-    const newton::NewtonResult result = newton_.equilibrate(copy_.view(), t1_length, aborted);
-    copy_.download(changed);
+    const bool far = newton_.is_far(copy_.view());
+    equilibrate_from_afar(
+        changed, far, t1_length, most_iterations_, aborted, [&](Foam& start, int most_iterations) {
+          copy_.upload(start);
+          const newton::NewtonResult result =
+              newton_.equilibrate(copy_.view(), t1_length, most_iterations, aborted);
+          copy_.download(start);
+          newton::note(start, result);
+        });
     foam = std::move(changed);
-    newton::note(foam, result);
     return foam.report;
   }
 
@@ -41,6 +44,7 @@ public:
 private:
   Executor executor_;
   newton::WholeFoamNewton<Executor> newton_;
+  int most_iterations_;
   Copy copy_;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "equilibrium/compressible_relaxation.h"
+#include "equilibrium/far_start.h"
 #include "physics/equilibrium_measures.h"
 
 namespace foam {
@@ -65,10 +65,11 @@ void NewtonEquilibrator::forget() {
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
   try {
-    if (is_far(foam)) {
-      relax_compressible(foam, t1_length, aborted);
-    }
-    return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
+    return equilibrate_from_afar(foam, is_far(foam), t1_length, options_.maximum_iterations,
+                                 aborted, [&](Foam& start, int most_iterations) {
+                                   equilibrate_to(start, options_.tolerance, t1_length,
+                                                  most_iterations, aborted);
+                                 });
   } catch (...) {
     foam.report = measured_report(foam);
     throw;
@@ -83,13 +84,19 @@ bool NewtonEquilibrator::is_far(Foam& foam) {
 
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
                                                      const AbortCheck& aborted) {
+  return equilibrate_to(foam, tolerance, t1_length, options_.maximum_iterations, aborted);
+}
+
+EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
+                                                     int most_iterations,
+                                                     const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
-  relax_unrelaxed_regions(foam, t1_length, aborted);
+  relax_unrelaxed_regions(foam, t1_length, most_iterations, aborted);
   Problem problem(foam, whole_, swaps_, t1_length,
                   [](const Foam& f, std::span<const Bubble>) { return whole_foam(f); });
   const newton::Outcome outcome =
-      newton_.relax(problem, whole_, tolerance, iterations_, options_.maximum_iterations, aborted);
+      newton_.relax(problem, whole_, tolerance, iterations_, most_iterations, aborted);
   foam.report = {.converged = outcome.converged,
                  .iterations = iterations_,
                  .max_angle_error = max_angle_error(foam),
@@ -100,7 +107,7 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
 
 /// Where a foam that is in equilibrium but in a few places is not, patches around those are relaxed
 /// first: an iteration there costs next to nothing.
-void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length,
+void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length, int most_iterations,
                                                  const AbortCheck& aborted) {
   if (!whole_.factorised()) {
     return;
@@ -114,7 +121,7 @@ void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length,
   if (!rough.empty() && rough.size() < most &&
       patch(foam, rough, kPatchRings).bubbles.size() < most) {
     relax_patch_to(
-        kUnrelaxed, foam, rough, t1_length, [](const Region&) {}, aborted);
+        kUnrelaxed, foam, rough, t1_length, most_iterations, [](const Region&) {}, aborted);
   }
 }
 
@@ -154,11 +161,13 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Bubble> bubbles
                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
-  return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, prepare, aborted);
+  return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, options_.maximum_iterations,
+                        prepare, aborted);
 }
 
 bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
                                         std::span<const Bubble> bubbles, double t1_length,
+                                        int most_iterations,
                                         const std::function<void(const Region&)>& prepare,
                                         const AbortCheck& aborted) {
   patch_.reset();
@@ -171,8 +180,8 @@ bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
                     return region;
                   });
   return newton_
-      .relax(problem, patch_, std::max(tolerance, options_.tolerance), iterations_,
-             options_.maximum_iterations, aborted)
+      .relax(problem, patch_, std::max(tolerance, options_.tolerance), iterations_, most_iterations,
+             aborted)
       .converged;
 }
 

@@ -52,10 +52,13 @@ private:
   class Problem;
 
   bool is_far(Foam& foam);
-  void relax_unrelaxed_regions(Foam& foam, double t1_length, const AbortCheck& aborted);
+  EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length,
+                                   int most_iterations, const AbortCheck& aborted);
+  void relax_unrelaxed_regions(Foam& foam, double t1_length, int most_iterations,
+                               const AbortCheck& aborted);
   bool relax_patch_to(double tolerance, Foam& foam, std::span<const Bubble> bubbles,
-                      double t1_length, const std::function<void(const Region&)>& prepare,
-                      const AbortCheck& aborted);
+                      double t1_length, int most_iterations,
+                      const std::function<void(const Region&)>& prepare, const AbortCheck& aborted);
   std::vector<Bubble> unrelaxed_bubbles(const Foam& foam) const;
 
   EquilibratorOptions options_;

@@ -39,11 +39,16 @@ public:
   /// Brings a mesh to equilibrium, swapping films shorter than t1_length (cm) that are pulled shut.
   /// Where it throws Aborted the mesh is somewhere in between.
   NewtonResult equilibrate(const FoamView& mesh, double t1_length, const AbortCheck& aborted) {
+    return equilibrate(mesh, t1_length, options_.maximum_iterations, aborted);
+  }
+  /// The same in so many iterations at most.
+  NewtonResult equilibrate(const FoamView& mesh, double t1_length, int most_iterations,
+                           const AbortCheck& aborted) {
     Problem problem(executor_, mesh, swaps_, t1_length);
     int iterations = 0;
     const int before = solver_.iterations();
     const Outcome outcome = newton_.relax(problem, solver_, options_.tolerance, iterations,
-                                          options_.maximum_iterations, aborted);
+                                          most_iterations, aborted);
     const EquilibriumMeasures measures = measure_equilibrium(executor_, const_view(mesh));
     return {.report = {.converged = outcome.converged,
                        .iterations = iterations,

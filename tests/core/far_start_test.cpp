@@ -8,11 +8,13 @@
 #include <random>
 #include <vector>
 
+#include "../newton_on_host.h"
 #include "construct/from_points.h"
 #include "engines/engines.h"
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/equilibrator.h"
-#include "foams.h"
+#include "equilibrium/obstacle.h"
+#include "far_starts.h"
 
 namespace foam::test {
 namespace {
@@ -48,11 +50,91 @@ TEST(FarStart, RandomPointsReachEquilibrium) {
   }
 }
 
+TEST(FarStart, EqualAreasOnRandomPointsReachEquilibrium) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    expect_equilibrium_from({Points::Poisson, Boundary::Periodic, 196, 0, seed});
+    expect_equilibrium_from({Points::Poisson, Boundary::Free, 100, 0, seed});
+    expect_equilibrium_from({Points::Poisson, Boundary::Fixed, 100, 0, seed});
+  }
+}
+
+TEST(FarStart, LognormalAreasReachEquilibrium) {
+  for (const double variation : {0.5, 1.0, 1.5}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      expect_equilibrium_from({Points::Jittered, Boundary::Periodic, 196, variation, seed});
+      expect_equilibrium_from({Points::Poisson, Boundary::Free, 50, variation, seed});
+      expect_equilibrium_from({Points::Poisson, Boundary::Periodic, 50, variation, seed});
+      expect_equilibrium_from({Points::Jittered, Boundary::Fixed, 60, variation, seed});
+    }
+  }
+}
+
+// Their initial bubbles are n/2π times longer than wide.
+TEST(FarStart, RingsReachEquilibrium) {
+  for (Index n = 3; n <= 32; ++n) {
+    expect_equilibrium_from({Points::Ring, Boundary::Free, n, 0, 0});
+    expect_equilibrium_from({Points::RingRound, Boundary::Free, n + 1, 0, 0});
+  }
+}
+
+TEST(FarStart, NewtonsMethodWithoutAMatrixGetsThereToo) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Foam foam = FarStart{Points::Jittered, Boundary::Periodic, 100, 1, seed}.foam();
+    KrylovEquilibrator({}).equilibrate(foam, 0.05, {});
+    expect_valid(foam);
+    expect_equilibrium(foam);
+  }
+}
+
+// The iterations reported are those it takes: no fewer do.
+TEST(FarStart, MaximumIterationsIsWhatItSays) {
+  const FarStart start{Points::Poisson, Boundary::Periodic, 100, 1, 1};
+  Foam foam = start.foam();
+  equilibrate(foam);
+  ASSERT_TRUE(foam.report.converged);
+  EquilibratorOptions options;
+  options.maximum_iterations = foam.report.iterations;
+  Foam enough = start.foam();
+  make_equilibrator(options)->equilibrate(enough, 0.05 * enough.mean_spacing(), {});
+  EXPECT_TRUE(enough.report.converged);
+  EXPECT_EQ(enough.position, foam.position);
+  --options.maximum_iterations;
+  Foam short_of_one = start.foam();
+  make_equilibrator(options)->equilibrate(short_of_one, 0.05 * short_of_one.mean_spacing(), {});
+  EXPECT_FALSE(short_of_one.report.converged);
+  EXPECT_EQ(short_of_one.report.iterations, options.maximum_iterations);
+}
+
+// A foam in the units of another is relaxed to the same one.
+TEST(FarStart, SoftGasFeelsNoUnits) {
+  const Foam start = FarStart{Points::Poisson, Boundary::Free, 100, 1, 1}.foam();
+  Foam here = start;
+  EXPECT_TRUE(relax_compressible(here, 0.05, 0.1, {}));
+  constexpr double kLength = 0x1p-20;
+  constexpr double kTension = 0x1p7;
+  Foam there = start;
+  there.surface_tension *= kTension;
+  for (Vec2& x : there.position) {
+    x = kLength * x;
+  }
+  for (double& area : there.target_area) {
+    area *= kLength * kLength;
+  }
+  EXPECT_TRUE(relax_compressible(there, kLength * 0.05, 0.1, {}));
+  EXPECT_EQ(there.t1_count, here.t1_count);
+  for (const Junction j : here.junction_slots()) {
+    EXPECT_EQ(there.position[j], kLength * here.position[j]);
+  }
+  for (const Bubble b : here.bubble_slots()) {
+    EXPECT_EQ(there.pressure[b], kTension / kLength * here.pressure[b]);
+  }
+}
+
 TEST(FarStart, SoftGasLeavesAFoamNearEquilibrium) {
   Foam foam = poisson_foam(400, 1);
   const double angle_error = max_angle_error(foam);
   const double area_error = max_area_error(foam);
-  relax_compressible(foam, 0.1, {});
+  EXPECT_TRUE(relax_compressible(foam, 0.1, 0.1, {}));
   expect_valid(foam);
   EXPECT_GT(angle_error, 1.0);
   EXPECT_GT(area_error, 0.5);
@@ -66,6 +148,23 @@ TEST(FarStart, SoftGasLeavesAFoamNearEquilibrium) {
     unbalanced += norm(pull) > 0.1 ? 1 : 0;
   }
   EXPECT_LT(unbalanced, foam.junction_count() / 100);
+}
+
+TEST(Obstacle, IsTheJunctionFilmOrBubbleThatIsFurthestOff) {
+  const auto contains = [](const Foam& foam, const std::string& part) {
+    return obstacle(foam).find(part) != std::string::npos;
+  };
+  const Foam straight =
+      jittered_foam(Boundary::Periodic, 16, 1); // with the areas that it is to have
+  EXPECT_TRUE(contains(straight, "is pulled by its films with")) << obstacle(straight);
+  Foam foam = double_bubble(1, 1);
+  equilibrate(foam);
+  const Foam balanced = foam;
+  foam.target_area[Bubble(1)] = 4;
+  EXPECT_TRUE(contains(foam, "bubble 1 of 2 sides has the area 0.9999")) << obstacle(foam);
+  foam = balanced;
+  foam.pressure[Bubble(0)] += 100;
+  EXPECT_TRUE(contains(foam, "the film between bubble")) << obstacle(foam);
 }
 
 } // namespace

@@ -67,7 +67,8 @@ EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
     if (is_far(foam)) {
       relax_compressible(foam, t1_length, aborted);
     }
-    return equilibrate_to(foam, options_.tolerance, t1_length, aborted);
+    return equilibrate_to(foam, options_.tolerance, t1_length, options_.maximum_iterations,
+                          aborted);
   } catch (...) {
     foam.report = measured_report(foam);
     throw;
@@ -81,14 +82,14 @@ bool NewtonEquilibrator::is_far(Foam& foam) {
 }
 
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
-                                                     const AbortCheck& aborted) {
+                                                     int most, const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
-  relax_unrelaxed_regions(foam, t1_length, aborted);
+  relax_unrelaxed_regions(foam, t1_length, most, aborted);
   Problem problem(foam, whole_, swaps_, t1_length,
                   [](const Foam& f, std::span<const Bubble>) { return whole_foam(f); });
   const newton::Outcome outcome =
-      newton_.relax(problem, whole_, tolerance, iterations_, options_.maximum_iterations, aborted);
+      newton_.relax(problem, whole_, tolerance, iterations_, most, aborted);
   foam.report = {.converged = outcome.converged,
                  .iterations = iterations_,
                  .max_angle_error = max_angle_error(foam),
@@ -99,7 +100,7 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
 
 /// Where a foam that is in equilibrium but in a few places is not, patches around those are relaxed
 /// first: an iteration there costs next to nothing.
-void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length,
+void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length, int most,
                                                  const AbortCheck& aborted) {
   if (!whole_.factorised()) {
     return;
@@ -109,11 +110,11 @@ void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length,
   }
   newton_.evaluate(Problem(foam, whole_, swaps_, t1_length, {}));
   const std::vector<Bubble> rough = unrelaxed_bubbles(foam);
-  const auto most = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
-  if (!rough.empty() && rough.size() < most &&
-      patch(foam, rough, kPatchRings).bubbles.size() < most) {
+  const auto largest = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
+  if (!rough.empty() && rough.size() < largest &&
+      patch(foam, rough, kPatchRings).bubbles.size() < largest) {
     relax_patch_to(
-        kUnrelaxed, foam, rough, t1_length, [](const Region&) {}, aborted);
+        kUnrelaxed, foam, rough, t1_length, most, [](const Region&) {}, aborted);
   }
 }
 
@@ -153,11 +154,12 @@ bool NewtonEquilibrator::relax_patch(Foam& foam, std::span<const Bubble> bubbles
                                      const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
-  return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, prepare, aborted);
+  return relax_patch_to(kPatchTolerance, foam, bubbles, t1_length, options_.maximum_iterations,
+                        prepare, aborted);
 }
 
 bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
-                                        std::span<const Bubble> bubbles, double t1_length,
+                                        std::span<const Bubble> bubbles, double t1_length, int most,
                                         const std::function<void(const Region&)>& prepare,
                                         const AbortCheck& aborted) {
   patch_.reset();
@@ -170,8 +172,7 @@ bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
                     return region;
                   });
   return newton_
-      .relax(problem, patch_, std::max(tolerance, options_.tolerance), iterations_,
-             options_.maximum_iterations, aborted)
+      .relax(problem, patch_, std::max(tolerance, options_.tolerance), iterations_, most, aborted)
       .converged;
 }
 

@@ -23,8 +23,8 @@ public:
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override;
   void forget() override;
 
-  /// The same to another tolerance.
-  EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length,
+  /// The same to another tolerance, from a foam that is not far, in so many iterations at most.
+  EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length, int most,
                                    const AbortCheck& aborted);
 
   /// Relaxes a patch of a few rings around some bubbles, roughly: what lies beyond has not moved.
@@ -52,9 +52,9 @@ private:
   class Problem;
 
   bool is_far(Foam& foam);
-  void relax_unrelaxed_regions(Foam& foam, double t1_length, const AbortCheck& aborted);
+  void relax_unrelaxed_regions(Foam& foam, double t1_length, int most, const AbortCheck& aborted);
   bool relax_patch_to(double tolerance, Foam& foam, std::span<const Bubble> bubbles,
-                      double t1_length, const std::function<void(const Region&)>& prepare,
+                      double t1_length, int most, const std::function<void(const Region&)>& prepare,
                       const AbortCheck& aborted);
   std::vector<Bubble> unrelaxed_bubbles(const Foam& foam) const;
 

@@ -30,6 +30,16 @@ inline Snapshot snapshot(const Foam& foam) {
   return now;
 }
 
+/// Frames of a duration (s), and thresholds in cm and cm².
+inline CoarseningOptions frames_of(double time_step, double t1_length = 0.025,
+                                   double t2_area = 0.05) {
+  CoarseningOptions options;
+  options.time_step = time_step;
+  options.thresholds = {
+      .kind = ThresholdKind::Absolute, .t1_length = t1_length, .t2_area = t2_area};
+  return options;
+}
+
 /// A foam coarsens for so many seconds, in equilibrium after every frame, and is looked at every so
 /// many.
 inline std::vector<Snapshot> history(const Foam& foam, const CoarseningOptions& options,

@@ -12,11 +12,8 @@ TEST_P(ManyFoams, HaveEventsThatDoNotDependOnTheFrame) {
   for (std::uint64_t seed = 3; seed < 23; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Foam foam = random_foam(150, GetParam(), seed);
-    CoarseningOptions options;
-    options.time_step = 0.1;
-    const std::vector<Snapshot> coarse = history(foam, options, 1, 0.1);
-    options.time_step = 0.00125;
-    expect_same_events(coarse, history(foam, options, 1, 0.1), 1e-6);
+    expect_same_events(history(foam, frames_of(0.1), 1, 0.1),
+                       history(foam, frames_of(0.00125), 1, 0.1), 1e-6);
   }
 }
 
@@ -25,9 +22,7 @@ TEST_P(ManyFoams, ConvergeAsThresholdsShrink) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Foam foam = random_foam(200, GetParam(), seed);
     const auto with_thresholds = [&](double part) {
-      CoarseningOptions options;
-      options.thresholds.t1_length = options.thresholds.t2_area = part;
-      return history(foam, options, 2, 0.5);
+      return history(foam, frames_of(0.025, part, part), 2, 0.5);
     };
     const std::vector<Snapshot> none = with_thresholds(0);
     expect_same_events(with_thresholds(1e-4), none, 1e-2);
@@ -43,10 +38,7 @@ TEST(SmallThresholds, DoNotEndALargeFoam) {
   for (std::uint64_t seed = 1; seed < 7; ++seed) {
     Foam foam = jittered_foam(Boundary::Periodic, 500, seed);
     make_equilibrator({})->equilibrate(foam, 0.001, {});
-    CoarseningOptions options;
-    options.thresholds.t1_length = 0.001;
-    options.thresholds.t2_area = 0.001;
-    auto coarsening = make_coarsening(options);
+    auto coarsening = make_coarsening(frames_of(1.0 / 30, 0.001, 0.001));
     coarsening->restart(foam);
     for (int frame = 0; frame < 150; ++frame) {
       ASSERT_TRUE(coarsening->advance({})) << "seed " << seed << " frame " << frame;

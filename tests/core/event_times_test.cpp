@@ -17,9 +17,7 @@ class EventTimes : public testing::TestWithParam<Case> {};
 TEST_P(EventTimes, DoNotDependOnTheFrame) {
   const Foam foam = random_foam(150, GetParam().boundary, GetParam().seed);
   const auto in_frames_of = [&](double time_step) {
-    CoarseningOptions options;
-    options.time_step = time_step;
-    return history(foam, options, 1, 0.1);
+    return history(foam, frames_of(time_step), 1, 0.1);
   };
   const std::vector<Snapshot> fine = in_frames_of(0.00125);
   EXPECT_GT(fine.back().t1_count - foam.t1_count, 20);
@@ -31,11 +29,8 @@ TEST_P(EventTimes, DoNotDependOnTheFrame) {
 TEST_P(EventTimes, ConvergeAsThresholdsShrink) {
   const Foam foam = random_foam(100, GetParam().boundary, GetParam().seed);
   const auto with_thresholds = [&](double part) {
-    CoarseningOptions options;
-    options.time_step = 0.05;
-    options.thresholds.t1_length = part * foam.mean_spacing();
-    options.thresholds.t2_area = part * foam.mean_spacing() * foam.mean_spacing();
-    return history(foam, options, 1, 0.25);
+    const double spacing = foam.mean_spacing();
+    return history(foam, frames_of(0.05, part * spacing, part * spacing * spacing), 1, 0.25);
   };
   const std::vector<Snapshot> none = with_thresholds(0);
   EXPECT_GT(none.back().t1_count - foam.t1_count, 10);
@@ -49,10 +44,7 @@ TEST_P(EventTimes, ConvergeAsThresholdsShrink) {
 TEST_P(EventTimes, OfAFoamDoNotDependOnWhenThreeSidedBubblesVanish) {
   const Foam foam = random_foam(100, GetParam().boundary, GetParam().seed);
   const auto with_area = [&](double area) {
-    CoarseningOptions options;
-    options.time_step = 0.05;
-    options.thresholds.t2_area = area;
-    return history(foam, options, 1, 0.05);
+    return history(foam, frames_of(0.05, 0.025, area), 1, 0.05);
   };
   const double large = 0.05; // cm², with a mean of 1
   const std::vector<Snapshot> early = with_area(large);

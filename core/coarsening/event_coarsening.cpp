@@ -146,7 +146,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   limit_.t1_length =
       std::max(limit_.t1_length, (whole_ ? kShortestFilm : kSmallestLength) * spacing);
   limit_.t2_area = std::max(limit_.t2_area, kManySidedArea * mean_area);
-  room_ = kManySidedArea * mean_area;
+  room_ = whole_ ? kManySidedArea * mean_area : limit_.t2_area;
   smallest_area_ = kSmallestArea * mean_area;
 
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
@@ -524,7 +524,7 @@ bool EventCoarsening::reduce_sides(Bubble bubble, const AbortCheck& aborted) {
   const double time_left =
       foam_.target_area[bubble] / std::max(-motion_.area_rate(bubble), constant);
   for (const Film film : films_to_swap(before.foam, bubble)) {
-    const std::array around = swap_early(film, time_left);
+    const std::array around = swap_early(film, whole_ ? time_left : 0);
     if (relax_patch(around, aborted) && foam_.sides[bubble] < before.foam.sides[bubble]) {
       move_on();
       return true;

@@ -15,20 +15,30 @@
 #include "physics/gas.h"
 #include "physics/step_limits.h"
 #include "physics/swap_rule.h"
-#include "topology/cascade.h"
 #include "topology/operations.h"
 
 namespace foam {
 namespace {
 
 constexpr double kReached = 1e-9;            // relative slack of a threshold that has been met
-constexpr double kFinestStep = 1.0 / 64;     // of a time step, towards a predicted T1
-constexpr double kFinestStrain = 1.0 / 4096; // of a time step, from one renewal to the next
+constexpr double kFinestStep = 1.0 / 64;     // of a step, towards a predicted T1
+constexpr double kFinestStrain = 1.0 / 4096; // of a step, from one renewal to the next
 constexpr double kLargestChange = 0.25;      // of a chord or an area before the response is renewed
-constexpr double kFallbackTolerance = 1e-6;  // of a fallback frame's equilibria between events
-constexpr int kEvents = 1024;                // in a frame,
+constexpr int kEvents = 1024;                // in a step,
 constexpr int kEventsPerBubble = 16;         // and so many more for every bubble
 constexpr int kRings = 3;                    // around an event that its operations look at
+
+// In units of the time in which a seventh side brings a bubble the mean area:
+constexpr double kLongestStep = 0.0125;
+constexpr double kSameTime = 1e-7;  // to which T1s are found where the whole foam relaxes
+constexpr double kLookAgain = 1e-4; // at a short film that is not pulled shut
+
+// Of the mean spacing; no film is followed further, for its direction is lost in rounding.
+constexpr double kShortestFilm = 1e-5;
+
+constexpr Index kFewBubbles = 256;      // of which all feel an event
+constexpr double kBetweenEvents = 1e-7; // tolerance of equilibria in a step
+constexpr int kShortRelaxation = 12;    // iterations along the equilibria of one topology
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
 /// bubble cannot well spare one.
@@ -80,12 +90,13 @@ void EventCoarsening::undo(State state) {
 bool EventCoarsening::advance(const AbortCheck& aborted) {
   State before{foam_, {}, back_off_};
   iterations_ = 0;
+  const bool few = foam_.bubble_count() <= kFewBubbles;
   try {
-    std::optional<Obstacle> obstacle = integrate(false, aborted);
+    std::optional<Obstacle> obstacle = integrate(few, aborted);
     if (obstacle || !foam_.report.converged) {
       undo(before);
       newton_.forget();
-      obstacle = integrate(true, aborted);
+      obstacle = integrate(!few, aborted);
     }
     if (!obstacle && !is_a_foam(foam_)) {
       obstacle = {End::Cause::NoEquilibrium};
@@ -108,13 +119,36 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   return true;
 }
 
-std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallback,
+/// Through a frame. \param whole whether the whole foam relaxes at every event
+std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool whole,
                                                                     const AbortCheck& aborted) {
-  fallback_ = fallback;
-  now_ = 0;
+  whole_ = whole;
   const double spacing = foam_.mean_spacing();
-  limit_ = newton_thresholds(thresholds(foam_, options_.thresholds), spacing);
-  smallest_area_ = kSmallestArea * spacing * spacing;
+  unit_of_time_ =
+      spacing * spacing / von_neumann_constant(foam_.surface_tension, options_.permeability);
+  const double steps =
+      std::max(std::ceil(options_.time_step / (kLongestStep * unit_of_time_)), 1.0);
+  step_ = options_.time_step / steps;
+  for (double done = 0; done < steps; ++done) {
+    if (const auto obstacle = step(aborted)) {
+      return obstacle;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Goes through a step from one event to the next.
+std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
+  now_ = 0;
+  changed_ = 0;
+  const double spacing = foam_.mean_spacing();
+  const double mean_area = spacing * spacing;
+  limit_ = thresholds(foam_, options_.thresholds);
+  limit_.t1_length =
+      std::max(limit_.t1_length, (whole_ ? kShortestFilm : kSmallestLength) * spacing);
+  limit_.t2_area = std::max(limit_.t2_area, kManySidedArea * mean_area);
+  room_ = whole_ ? kManySidedArea * mean_area : limit_.t2_area;
+  smallest_area_ = kSmallestArea * mean_area;
 
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
     iterations_ += newton_.equilibrate(foam_, limit_.t1_length, aborted).iterations;
@@ -125,6 +159,13 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallbac
     slide_two_sided_bubbles(aborted);
   }
   schedule_all();
+  const std::optional<Obstacle> obstacle = whole_ ? step_whole(aborted) : step_by_patches(aborted);
+  predicted_ -= step_;
+  return obstacle;
+}
+
+std::optional<EventCoarsening::Obstacle>
+EventCoarsening::step_by_patches(const AbortCheck& aborted) {
   for (const Film f : foam_.film_slots()) {
     if (foam_.bends(f) && film_is_due(f)) {
       schedule({.time = now_, .kind = Event::Kind::Close, .film = f});
@@ -145,11 +186,64 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallbac
     }
     events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
   }
-  now_ = options_.time_step;
+  now_ = step_;
   motion_.finish(foam_, now_);
   balance_gas();
-  relax_whole(options_.equilibrator.tolerance, aborted);
+  relax_whole(0, limit_.t1_length, options_.equilibrator.maximum_iterations, aborted);
   return std::nullopt;
+}
+
+/// Follows the whole foam's equilibrium to where the next event is expected, expects it anew from
+/// there, be it earlier, and so finds its time as Newton's method finds a root. The end of a small
+/// bubble, which the films around do not feel, needs no equilibrium.
+std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
+  constexpr Obstacle no_equilibrium{End::Cause::NoEquilibrium};
+  bool at_end = false;
+  for (int left = kEvents + kEventsPerBubble * foam_.bubble_count(); left > 0; --left) {
+    if (aborted && aborted()) {
+      throw Aborted();
+    }
+    const std::optional<Event> event = queue_.next();
+    if (!event && at_end) {
+      return std::nullopt;
+    }
+    const bool vanishes =
+        event && event->kind == Event::Kind::Collapse && foam_.sides[event->bubble] <= 3;
+    if (vanishes) {
+      now_ = event->time;
+      motion_.bring_all(foam_, now_);
+    }
+    if (vanishes || (event && std::abs(event->time - now_) <= same_time())) {
+      if (const auto obstacle = handle(*event, aborted)) {
+        return obstacle;
+      }
+      if (!foam_.report.converged) {
+        return no_equilibrium;
+      }
+      at_end = false;
+    } else {
+      if (!arrive(event ? event->time : step_, aborted)) {
+        return no_equilibrium;
+      }
+      at_end = !event && now_ == step_;
+      if (at_end && !has_short_film()) {
+        return std::nullopt;
+      }
+      predict_whole();
+      schedule_all();
+    }
+  }
+  return no_equilibrium;
+}
+
+/// Whether there is a film that may have closed on the way.
+bool EventCoarsening::has_short_film() const {
+  for (const Film f : foam_.film_slots()) {
+    if (foam_.bends(f) && foam_.length(f.half()) < limit_.t1_length && spares_sides(foam_, f)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Gives a closed foam's bubbles back what has been lost on the way: by rounding and, where rates
@@ -178,16 +272,48 @@ void EventCoarsening::balance_gas() {
   }
 }
 
+/// To which a T1 is found, s.
+double EventCoarsening::same_time() const {
+  return kSameTime * unit_of_time_;
+}
+
+/// Brings the whole foam to an instant, or to one before it from which on it has no equilibrium of
+/// this topology that Newton's method would find at once. \returns false if there is none.
+bool EventCoarsening::arrive(double time, const AbortCheck& aborted) {
+  const State before{foam_, motion_, back_off_};
+  const double nearest = 0.5 * same_time();
+  double there = time;
+  do {
+    if (there == step_) {
+      motion_.finish(foam_, there);
+      balance_gas();
+    } else {
+      motion_.bring_all(foam_, there);
+    }
+    relax_whole(there == step_ ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
+    if (foam_.report.converged) {
+      now_ = there;
+      return true;
+    }
+    undo(before);
+    there = now_ + 0.5 * (there - now_);
+  } while (std::abs(there - now_) > nearest);
+  return false;
+}
+
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
   Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
   const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {
-    motion_.take_whole(newton_.region(), *response, !fallback_);
+    const double since = now_ - predicted_;
+    const double bend = (step_ - now_) / since;
+    motion_.take_whole(newton_.region(), *response, bend > 0 && bend < 1.5 ? bend : 0);
   } else {
     motion_.rest();
   }
+  predicted_ = now_;
 }
 
 void EventCoarsening::schedule_all() {
@@ -222,6 +348,14 @@ void EventCoarsening::schedule_film(Film film) {
   if (foam_.wall(film.half())) {
     return;
   }
+  if (whole_) {
+    double wait = time_to_close(film);
+    if (wait <= same_time() && !film_is_due(film)) {
+      wait = kLookAgain * unit_of_time_;
+    }
+    schedule({.time = std::max(now_ + wait, changed_), .kind = Event::Kind::Close, .film = film});
+    return;
+  }
   const Vec2 chord = foam_.chord(film.half());
   const Vec2 change = motion_.chord_rate(foam_, film);
   const double d = norm(chord);
@@ -231,11 +365,11 @@ void EventCoarsening::schedule_film(Film film) {
   const double growth = arc_growth(chord, change, alpha, motion_.angle_rate(film));
   if (growth < 0 && spares_sides(foam_, film)) {
     const double excess = std::max(arc_shape(alpha).f * d - limit_.t1_length, 0.0);
-    event.time = now_ + std::max(excess / -growth, kFinestStep * options_.time_step);
+    event.time = now_ + std::max(excess / -growth, kFinestStep * step_);
   }
   if (norm(change) > 0) {
     const double strained =
-        now_ + std::max(kLargestChange * d / norm(change), kFinestStrain * options_.time_step);
+        now_ + std::max(kLargestChange * d / norm(change), kFinestStrain * step_);
     if (strained < event.time) {
       event.time = strained;
       event.kind = Event::Kind::Strain;
@@ -244,8 +378,22 @@ void EventCoarsening::schedule_film(Film film) {
   schedule(event);
 }
 
+/// When the film will have the T1 length, or has had it, s from now; a film collapses as √time or
+/// slower, so that its squared length, carried on, does not fall too fast.
+double EventCoarsening::time_to_close(Film film) const {
+  const Vec2 chord = foam_.chord(film.half());
+  const double length = foam_.length(film.half());
+  const double growth = arc_growth(chord, motion_.chord_rate(foam_, film),
+                                   foam_.half_angle(film.half()), motion_.angle_rate(film));
+  if (growth >= 0 || !spares_sides(foam_, film)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double limit = limit_.t1_length;
+  return (length - limit) * (length + limit) / (2 * length * -growth);
+}
+
 void EventCoarsening::schedule(const Event& event) {
-  if (event.time < options_.time_step) {
+  if (event.time < step_) {
     queue_.schedule(event);
   }
 }
@@ -265,12 +413,9 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& ev
     relax_around(bubbles, aborted);
     return std::nullopt;
   }
-  if (film_is_due(film)) {
-    const CascadeResult result = topological_cascade(foam_, rules(), std::array{film}, {});
-    if (result.changed()) {
-      relax_around(result.bubbles, aborted);
-      return std::nullopt;
-    }
+  if (film_is_due(film) && can_perform_t1(foam_, film)) {
+    swap(film, aborted);
+    return std::nullopt;
   }
   schedule_film(film);
   return std::nullopt;
@@ -287,12 +432,7 @@ EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
     }
   }
   if (foam_.sides[bubble] <= 3) {
-    const CascadeResult result = topological_cascade(foam_, rules(), {}, std::array{bubble});
-    if (!result.changed()) {
-      return cannot_vanish(bubble);
-    }
-    relax_around(result.bubbles, aborted);
-    return std::nullopt;
+    return vanish(bubble, aborted) ? std::nullopt : std::optional(cannot_vanish(bubble));
   }
   if (reduce_sides(bubble, aborted)) {
     return std::nullopt;
@@ -310,15 +450,82 @@ EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }
 
+void EventCoarsening::swap(Film film, const AbortCheck& aborted) {
+  relax_around(swap_early(film, whole_ ? std::max(time_to_close(film), changed_ - now_) : 0),
+               aborted);
+}
+
+/// Swaps a film some time (s) before its time has come, or after. By von Neumann's law, away from
+/// walls, the bubbles beside it, which lose a side, and those at its ends, which gain one, would
+/// have kept their rates so long: they exchange the gas that makes up for it, as far as they can
+/// spare it. \returns the bubbles around
+std::array<Bubble, 4> EventCoarsening::swap_early(Film film, double early) {
+  changed_ = now_;
+  const auto [left, right] = perform_t1(foam_, film);
+  const std::array around{left, right, foam_.left(film.half()), foam_.right(film.half())};
+  const auto outside = [](Bubble b) { return b.is_outside(); };
+  if (foam_.surroundings.has_walls() && std::ranges::any_of(around, outside)) {
+    return around;
+  }
+  double gas = early * von_neumann_constant(foam_.surface_tension, options_.permeability);
+  for (const Bubble b : around) {
+    const double spare =
+        b.is_outside() ? std::numeric_limits<double>::infinity() : 0.5 * foam_.target_area[b];
+    gas = std::clamp(gas, -spare, spare);
+  }
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    if (!around[i].is_outside()) {
+      foam_.target_area[around[i]] += i < 2 ? gas : -gas;
+    }
+  }
+  return around;
+}
+
+/// Removes a bubble of two or three sides and gives its gas to those beside it, in equal parts. By
+/// von Neumann's law that is what they would have got: each loses a side, or two to a two-sided
+/// bubble, and with it K of its rate, or 2K, for the time that the bubble had left. As in
+/// equilibrium the films around are as if it were not there (D. Weaire, Phil. Mag. Lett. 79 (1999)
+/// 491), it hardly matters how early it goes. \returns whether it can.
+bool EventCoarsening::vanish(Bubble bubble, const AbortCheck& aborted) {
+  const double gas = foam_.target_area[bubble];
+  std::vector<std::pair<Bubble, double>> heirs;
+  double shares = 0;
+  for_each_half(foam_, bubble, [&](Half h) {
+    shares += foam_.wall(h) ? 0 : 1;
+    if (!foam_.right(h).is_outside()) {
+      heirs.emplace_back(foam_.right(h), foam_.target_area[foam_.right(h)]);
+    }
+  });
+  changed_ = now_;
+  if (can_perform_t2(foam_, bubble)) {
+    perform_t2(foam_, bubble);
+  } else if (can_perform_t3(foam_, bubble)) {
+    perform_t3(foam_, bubble);
+  } else {
+    return false;
+  }
+  std::vector<Bubble> around;
+  for (const auto& [heir, before] : heirs) {
+    foam_.target_area[heir] = before;
+  }
+  for (const auto& [heir, before] : heirs) {
+    foam_.target_area[heir] += gas / shares;
+    around.push_back(heir);
+  }
+  relax_around(around, aborted);
+  return true;
+}
+
 /// Takes a side from a bubble that is at its end with more than three, so that three are left at
-/// last: swaps the shortest of its films with which the foam finds an equilibrium. \returns whether
-/// there is one.
+/// last: swaps the shortest of its films with which the foam finds an equilibrium. As the bubble
+/// shrinks to nothing its films do too; that would be their time. \returns whether there is one.
 bool EventCoarsening::reduce_sides(Bubble bubble, const AbortCheck& aborted) {
   const State before{foam_, motion_, back_off_};
+  const double constant = von_neumann_constant(foam_.surface_tension, options_.permeability);
+  const double time_left =
+      foam_.target_area[bubble] / std::max(-motion_.area_rate(bubble), constant);
   for (const Film film : films_to_swap(before.foam, bubble)) {
-    std::vector<Bubble> around{foam_.left(film.half()), foam_.right(film.half())};
-    perform_t1(foam_, film);
-    around.insert(around.end(), {foam_.left(film.half()), foam_.right(film.half())});
+    const std::array around = swap_early(film, whole_ ? time_left : 0);
     if (relax_patch(around, aborted) && foam_.sides[bubble] < before.foam.sides[bubble]) {
       move_on();
       return true;
@@ -352,20 +559,11 @@ void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
   }
 }
 
-CollapseRules EventCoarsening::rules() const {
-  CollapseRules rules;
-  rules.t1 = [this](const Foam&, Film f) { return film_is_due(f); };
-  rules.t2 = [this](const Foam& foam, Bubble b) {
-    return foam.target_area[b] <= limit_.t2_area * (1 + kReached);
-  };
-  rules.t3 = rules.t2;
-  return rules;
-}
-
 /// Whether the film is to be swapped: short, shrinking and pulled shut.
 bool EventCoarsening::film_is_due(Film film) const {
-  return foam_.length(film.half()) <= limit_.t1_length * (1 + kReached) &&
-         dot(foam_.chord(film.half()), motion_.chord_rate(foam_, film)) < 0 &&
+  const bool is_short = whole_ ? time_to_close(film) <= same_time()
+                               : foam_.length(film.half()) <= limit_.t1_length * (1 + kReached);
+  return is_short && dot(foam_.chord(film.half()), motion_.chord_rate(foam_, film)) < 0 &&
          spares_sides(foam_, film) && unstable_to_t1(foam_, film);
 }
 
@@ -375,8 +573,7 @@ double EventCoarsening::collapse_area(Bubble bubble) const {
   if (foam_.sides[bubble] <= 3) {
     return limit_.t2_area;
   }
-  const double room = std::max(limit_.t2_area, kManySidedArea / kSmallestArea * smallest_area_);
-  return std::max(room * back_off_[bubble], smallest_area_);
+  return std::max(room_ * back_off_[bubble], smallest_area_);
 }
 
 /// After an event at these bubbles.
@@ -393,22 +590,24 @@ bool EventCoarsening::relax_patch(std::span<const Bubble> bubbles, const AbortCh
   };
   const bool converged = newton_.relax_patch(foam_, bubbles, limit_.t1_length, bring, aborted);
   iterations_ += newton_.iterations();
-  if (!fallback_) {
+  if (!whole_) {
     return converged;
   }
-  motion_.bring_all(foam_, now_);
-  relax_whole(kFallbackTolerance, aborted);
+  relax_whole(kBetweenEvents, limit_.t1_length, options_.equilibrator.maximum_iterations, aborted);
   return foam_.report.converged;
 }
 
-void EventCoarsening::relax_whole(double tolerance, const AbortCheck& aborted) {
+/// \param tolerance if it is above the equilibrium's \param t1_length of films that are swapped on
+/// the way, cm \param most iterations
+void EventCoarsening::relax_whole(double tolerance, double t1_length, int most,
+                                  const AbortCheck& aborted) {
   const double goal = std::max(tolerance, options_.equilibrator.tolerance);
-  iterations_ += newton_.equilibrate_to(foam_, goal, limit_.t1_length, aborted).iterations;
+  iterations_ += newton_.equilibrate_to(foam_, goal, t1_length, most, aborted).iterations;
 }
 
 /// Predicts how what has relaxed goes on.
 void EventCoarsening::move_on() {
-  if (fallback_) {
+  if (whole_) {
     predict_whole();
     schedule_all();
     return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -9,20 +10,23 @@
 #include "coarsening/motion.h"
 #include "equilibrium/newton_equilibrator.h"
 #include "physics/thresholds.h"
-#include "topology/cascade.h"
 
 namespace foam {
 
 /// Coarsening that moves from one topological event to the next.
 ///
 /// Between events every target area is linear in time, by von Neumann's law or, where that does not
-/// hold (AreaRate), to the first order of the time step, so the instant at which a bubble reaches
-/// the T2 area is known; the instant at which a film reaches the T1 length is predicted from the
-/// equilibrium's response to the areas' rates. At an event the film is swapped or the bubble
-/// removed and a patch around it relaxes, while the rest of the foam moves on along its response; a
-/// few rings away an event is hardly felt, nor does it cost anything there. Every frame ends in an
-/// equilibrium of the whole foam to the tolerance. A frame that does not get there so is done
-/// again, the whole foam relaxing at every event.
+/// hold (AreaRate), to the first order of the step, so the instant at which a bubble reaches the T2
+/// area is known; the instant at which a film reaches the T1 length is predicted from the
+/// equilibrium's response to the areas' rates. A frame goes in steps short enough for that, each of
+/// which ends in an equilibrium of the whole foam to the tolerance.
+///
+/// A foam of few bubbles feels an event everywhere. There the whole foam relaxes at every event,
+/// before and after: the instant of a T1 is the one at which the film has the T1 length in
+/// equilibrium, whatever the frames are. In a larger one a patch around the event relaxes, while
+/// the rest of the foam moves on along its response; a few rings away an event is hardly felt, nor
+/// does it cost anything there. A frame that does not succeed in one way is done again in the
+/// other.
 class EventCoarsening final : public Coarsening {
 public:
   explicit EventCoarsening(const CoarseningOptions& options);
@@ -45,11 +49,17 @@ private:
     Bubble bubble = kNone; ///< that is to vanish
   };
 
-  std::optional<Obstacle> integrate(bool fallback, const AbortCheck& aborted);
+  std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
+  std::optional<Obstacle> step(const AbortCheck& aborted);
+  std::optional<Obstacle> step_by_patches(const AbortCheck& aborted);
+  std::optional<Obstacle> step_whole(const AbortCheck& aborted);
+  bool arrive(double time, const AbortCheck& aborted);
   void predict_whole();
-  /// At which a foam may leave equilibrium along its response, 1/s: in a frame by so much that one
+  /// At which a foam may leave equilibrium along its response, 1/s: in a step by so much that one
   /// more step of Newton's method is enough.
-  double drift() const { return 300 * options_.equilibrator.tolerance / options_.time_step; }
+  double drift() const { return 300 * options_.equilibrator.tolerance / step_; }
+  double same_time() const;
+  bool has_short_film() const;
   void balance_gas();
 
   void schedule_all();
@@ -60,16 +70,19 @@ private:
   std::optional<Obstacle> handle(const Event& event, const AbortCheck& aborted);
   std::optional<Obstacle> handle_collapse(Bubble bubble, const AbortCheck& aborted);
   Obstacle cannot_vanish(Bubble bubble) const;
+  void swap(Film film, const AbortCheck& aborted);
+  std::array<Bubble, 4> swap_early(Film film, double early);
+  bool vanish(Bubble bubble, const AbortCheck& aborted);
   bool reduce_sides(Bubble bubble, const AbortCheck& aborted);
   void slide_two_sided_bubbles(const AbortCheck& aborted);
-  CollapseRules rules() const;
   bool film_is_due(Film film) const;
+  double time_to_close(Film film) const;
   double collapse_area(Bubble bubble) const;
 
   void relax_around(std::span<const Bubble> bubbles, const AbortCheck& aborted);
   bool relax_patch(std::span<const Bubble> bubbles, const AbortCheck& aborted);
   void move_on();
-  void relax_whole(double tolerance, const AbortCheck& aborted);
+  void relax_whole(double tolerance, double t1_length, int most, const AbortCheck& aborted);
   void undo(State state);
 
   CoarseningOptions options_;
@@ -77,11 +90,16 @@ private:
   Foam foam_;
   Motion motion_;
   EventQueue queue_;
-  double now_ = 0;                 ///< s from the beginning of the frame
-  Thresholds limit_;               ///< in this frame
-  double smallest_area_ = 0;       ///< of a bubble, in this frame, cm²
+  double step_ = 0;                ///< s
+  double now_ = 0;                 ///< s from the beginning of the step
+  double changed_ = 0;             ///< when topology changed last in it, s likewise
+  double predicted_ = 0;           ///< when the whole foam's response was found last, s likewise
+  double unit_of_time_ = 0;        ///< in which a seventh side brings a bubble the mean area, s
+  Thresholds limit_;               ///< in this step
+  double room_ = 0;                ///< of a bubble that is to lose sides, in this step, cm²
+  double smallest_area_ = 0;       ///< of a bubble, in this step, cm²
   Field<Bubble, double> back_off_; ///< the part of the T2 area that it waits for
-  bool fallback_ = false;          ///< relax the whole foam at every event
+  bool whole_ = false;             ///< the whole foam relaxes at every event
   int iterations_ = 0;
 };
 

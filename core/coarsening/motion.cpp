@@ -16,8 +16,9 @@ void Motion::Trajectory<Element, Value>::begin(std::size_t count, double now) {
 }
 
 template <class Element, class Value>
-void Motion::Trajectory<Element, Value>::take_whole(Element e, const Value& new_rate, bool bends) {
-  bend[e] = bends && steady[e] ? new_rate - rate[e] : Value{};
+void Motion::Trajectory<Element, Value>::take_whole(Element e, const Value& new_rate,
+                                                    double bends) {
+  bend[e] = steady[e] ? bends * (new_rate - rate[e]) : Value{};
   rate[e] = new_rate;
   steady[e] = 1;
 }
@@ -64,7 +65,7 @@ void Motion::begin(const Foam& foam, Field<Bubble, double> area_rates, double no
   }
 }
 
-void Motion::take_whole(const Region& region, const newton::StepView& response, bool bend) {
+void Motion::take_whole(const Region& region, const newton::StepView& response, double bend) {
   for (const Junction j : region.junctions) {
     junctions_.take_whole(j, response.junction[j], bend);
   }

@@ -19,9 +19,9 @@ class Motion {
 public:
   /// The whole foam stands at this instant (s); target areas change at the given rates (cm²/s).
   void begin(const Foam& foam, Field<Bubble, double> area_rates, double now);
-  /// The whole foam moves along a response from now on. \param bend whether its rates have changed,
-  /// since the last whole response, as much as they will until the motion is finished.
-  void take_whole(const Region& region, const newton::StepView& response, bool bend);
+  /// The whole foam moves along a response from now on. \param bend what its rates will change by
+  /// until the motion is finished, in units of what they have since the last whole response
+  void take_whole(const Region& region, const newton::StepView& response, double bend);
   /// A patch moves along a response from now on. \pre it has been brought to now
   void take_patch(const Region& region, const newton::StepView& response);
   /// Nothing moves, but target areas change.
@@ -54,7 +54,7 @@ private:
     std::vector<Value> ahead;    ///< the rates expected next
 
     void begin(std::size_t count, double now);
-    void take_whole(Element e, const Value& rate, bool bend);
+    void take_whole(Element e, const Value& rate, double bend);
     void take_patch(Element e, const Value& rate);
     void rest();
     void bring(Field<Element, Value>& values, Element e, double now);

@@ -83,11 +83,6 @@ bool NewtonEquilibrator::is_far(Foam& foam) {
 }
 
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
-                                                     const AbortCheck& aborted) {
-  return equilibrate_to(foam, tolerance, t1_length, options_.maximum_iterations, aborted);
-}
-
-EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
                                                      int most_iterations,
                                                      const AbortCheck& aborted) {
   iterations_ = 0;
@@ -117,9 +112,9 @@ void NewtonEquilibrator::relax_unrelaxed_regions(Foam& foam, double t1_length, i
   }
   newton_.evaluate(Problem(foam, whole_, swaps_, t1_length, {}));
   const std::vector<Bubble> rough = unrelaxed_bubbles(foam);
-  const auto most = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
-  if (!rough.empty() && rough.size() < most &&
-      patch(foam, rough, kPatchRings).bubbles.size() < most) {
+  const auto largest = static_cast<std::size_t>(kSmallPatch * foam.bubble_count());
+  if (!rough.empty() && rough.size() < largest &&
+      patch(foam, rough, kPatchRings).bubbles.size() < largest) {
     relax_patch_to(
         kUnrelaxed, foam, rough, t1_length, most_iterations, [](const Region&) {}, aborted);
   }

@@ -23,9 +23,9 @@ public:
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override;
   void forget() override;
 
-  /// The same to another tolerance.
+  /// The same to another tolerance, from a foam that is not far, in so many iterations at most.
   EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length,
-                                   const AbortCheck& aborted);
+                                   int most_iterations, const AbortCheck& aborted);
 
   /// Relaxes a patch of a few rings around some bubbles, roughly: what lies beyond has not moved.
   /// \param prepare called with every region before it is looked at.
@@ -52,8 +52,6 @@ private:
   class Problem;
 
   bool is_far(Foam& foam);
-  EquilibriumReport equilibrate_to(Foam& foam, double tolerance, double t1_length,
-                                   int most_iterations, const AbortCheck& aborted);
   void relax_unrelaxed_regions(Foam& foam, double t1_length, int most_iterations,
                                const AbortCheck& aborted);
   bool relax_patch_to(double tolerance, Foam& foam, std::span<const Bubble> bubbles,

@@ -39,7 +39,7 @@ public:
     surface_tension_ = between(0.05, 5);
     options_.permeability = between(0.1, 10);
     options_.time_step =
-        between(0.002, 0.5) / von_neumann_constant(surface_tension_, options_.permeability);
+        between(0.005, 0.5) / von_neumann_constant(surface_tension_, options_.permeability);
     jitter_ = random_.uniform();
   }
 

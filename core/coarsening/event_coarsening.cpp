@@ -43,7 +43,7 @@ std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
   return films;
 }
 
-/// Whether a foam that is not in equilibrium may still be shown and gone on from.
+/// Whether a foam that has not met the tolerance may still be shown and gone on from.
 bool is_a_foam(const Foam& foam) {
   const auto in_range = [](double alpha) { return std::abs(alpha) < std::numbers::pi; };
   for (const Bubble b : foam.bubble_slots()) {
@@ -52,7 +52,8 @@ bool is_a_foam(const Foam& foam) {
     }
   }
   return foam.report.converged ||
-         (std::ranges::all_of(foam.film_angle, in_range) && validate_geometry(foam).empty());
+         (foam.report.residual < kNearlyConverged &&
+          std::ranges::all_of(foam.film_angle, in_range) && validate_geometry(foam).empty());
 }
 
 } // namespace

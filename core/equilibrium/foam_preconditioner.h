@@ -355,7 +355,8 @@ private:
     multigrid::GridMatrix matrix() const { return {grid, element.data()}; }
   };
 
-  static constexpr double kCellWidth = 2; // of the finest grid, in bubbles
+  static constexpr double kCellWidth = 2;  // of the finest grid, in bubbles
+  static constexpr double kMostCells = 16; // for each junction
   static constexpr int kCoarsestSteps = 16;
   static constexpr double kCoarsestRatio = 80;
   /// An element's matrix is at most four times its corners' own blocks (Cauchy and Schwarz), and so
@@ -403,9 +404,17 @@ private:
     return level;
   }
 
+  /// Of the finest grid: wider where a foam has flown apart on a way that leads nowhere.
+  double cell_width(const Lattice& box) const {
+    const double junctions = solid_.matrix.mesh.junctions;
+    return std::max({kCellWidth, std::sqrt(box.area() / (kMostCells * junctions)),
+                     std::max(norm(box.first), norm(box.second)) / (kMostCells * junctions)});
+  }
+
   void make_grids(const Units& units) {
+    const Lattice box = box_of(units);
     const multigrid::Grid finest =
-        grid_over(box_of(units), solid_.matrix.mesh.surroundings.periodic(), kCellWidth);
+        grid_over(box, solid_.matrix.mesh.surroundings.periodic(), cell_width(box));
     place_junctions(finest, units);
     used_ = 0;
     Level& first = use_level(finest);

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "coarsening/end.h"
 #include "coarsening/newton_rules.h"
-#include "mesh/validate.h"
 #include "physics/gas.h"
 #include "physics/step_limits.h"
 #include "physics/swap_rule.h"
@@ -43,23 +41,10 @@ std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
   return films;
 }
 
-/// Whether a foam that has not met the tolerance may still be shown and gone on from.
-bool is_a_foam(const Foam& foam) {
-  const auto in_range = [](double alpha) { return std::abs(alpha) < std::numbers::pi; };
-  for (const Bubble b : foam.bubble_slots()) {
-    if (foam.has_bubble(b) && !(foam.target_area[b] > 0)) {
-      return false;
-    }
-  }
-  return foam.report.converged ||
-         (foam.report.residual < kNearlyConverged &&
-          std::ranges::all_of(foam.film_angle, in_range) && validate_geometry(foam).empty());
-}
-
 } // namespace
 
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
-    : options_(options), newton_(options.equilibrator) {}
+    : options_(options), newton_(options.equilibrator), in_need_(options) {}
 
 void EventCoarsening::restart(Foam foam) {
   Field<Bubble, double> back_off(foam.bubble_half.size(), 1.0);
@@ -82,17 +67,27 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   iterations_ = 0;
   try {
     std::optional<Obstacle> obstacle = integrate(false, aborted);
-    if (obstacle || !foam_.report.converged) {
+    if (obstacle ? obstacle->cause != End::Cause::AllVanish : !foam_.report.converged) {
       undo(before);
       newton_.forget();
       obstacle = integrate(true, aborted);
     }
-    if (!obstacle && !is_a_foam(foam_)) {
+    if (!obstacle && !foam_.report.converged) {
       obstacle = {End::Cause::NoEquilibrium};
     }
     if (obstacle) {
       undo(before);
       newton_.forget();
+      if (obstacle->cause != End::Cause::LastTwo && obstacle->cause != End::Cause::AllVanish) {
+        in_need_.restart(foam_);
+        if (in_need_.advance(aborted)) {
+          foam_ = in_need_.foam();
+          return true;
+        }
+        if (in_need_.foam().ended->cause == End::Cause::LastTwo) {
+          obstacle = {End::Cause::LastTwo};
+        }
+      }
       foam_.ended = end_at(foam_, obstacle->cause, limit_, obstacle->bubble);
       return false;
     }
@@ -111,11 +106,16 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
 std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallback,
                                                                     const AbortCheck& aborted) {
   fallback_ = fallback;
+  lost_ = false;
   now_ = 0;
   const double spacing = foam_.mean_spacing();
   limit_ = newton_thresholds(thresholds(foam_, options_.thresholds), spacing);
   smallest_area_ = kSmallestArea * spacing * spacing;
 
+  if (end_at(foam_, End::Cause::AllVanish, limit_).area <= limit_.t2_area &&
+      foam_.bubble_count() > 2) {
+    return Obstacle{End::Cause::AllVanish};
+  }
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
     iterations_ += newton_.equilibrate(foam_, limit_.t1_length, aborted).iterations;
   }
@@ -137,7 +137,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool fallbac
     }
     now_ = event->time;
     const std::uint64_t topology = foam_.topology;
-    if (events_left < 0) {
+    if (events_left < 0 || lost_) {
       return Obstacle{End::Cause::NoEquilibrium};
     }
     if (const auto obstacle = handle(*event, aborted)) {
@@ -306,7 +306,7 @@ EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
 }
 
 EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
-  const bool last_two = foam_.bubble_count() == 2;
+  const bool last_two = !foam_.surroundings.periodic() && foam_.bubble_count() == 2;
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }
 
@@ -381,7 +381,8 @@ double EventCoarsening::collapse_area(Bubble bubble) const {
 
 /// After an event at these bubbles.
 void EventCoarsening::relax_around(std::span<const Bubble> bubbles, const AbortCheck& aborted) {
-  relax_patch(bubbles, aborted);
+  const bool found = relax_patch(bubbles, aborted);
+  lost_ = fallback_ && !found;
   move_on();
 }
 

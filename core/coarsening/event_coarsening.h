@@ -7,6 +7,7 @@
 #include "coarsening/coarsening.h"
 #include "coarsening/event_queue.h"
 #include "coarsening/motion.h"
+#include "coarsening/newton_frame_coarsening.h"
 #include "equilibrium/newton_equilibrator.h"
 #include "physics/thresholds.h"
 #include "topology/cascade.h"
@@ -22,7 +23,8 @@ namespace foam {
 /// removed and a patch around it relaxes, while the rest of the foam moves on along its response; a
 /// few rings away an event is hardly felt, nor does it cost anything there. Every frame ends in an
 /// equilibrium of the whole foam to the tolerance. A frame that does not get there so is done
-/// again, the whole foam relaxing at every event.
+/// again, the whole foam relaxing at every event, and if that leads nowhere in fixed steps. Only
+/// where those find no way either has the foam come to its end.
 class EventCoarsening final : public Coarsening {
 public:
   explicit EventCoarsening(const CoarseningOptions& options);
@@ -74,6 +76,7 @@ private:
 
   CoarseningOptions options_;
   NewtonEquilibrator newton_;
+  NewtonFrameCoarsening in_need_;
   Foam foam_;
   Motion motion_;
   EventQueue queue_;
@@ -82,6 +85,7 @@ private:
   double smallest_area_ = 0;       ///< of a bubble, in this frame, cm²
   Field<Bubble, double> back_off_; ///< the part of the T2 area that it waits for
   bool fallback_ = false;          ///< relax the whole foam at every event
+  bool lost_ = false;              ///< no equilibrium was found then
   int iterations_ = 0;
 };
 

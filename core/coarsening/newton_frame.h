@@ -58,6 +58,14 @@ struct StepsOf {
   }
 };
 
+struct AreaOf {
+  ConstFoamView mesh;
+
+  FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
+    return mesh.has_bubble(bubble) ? mesh.target_area[bubble] : 0;
+  }
+};
+
 struct Vanishes {
   NewtonRules rules;
 
@@ -106,26 +114,33 @@ private:
   static constexpr double kFallbackT1 = 0.1;  // of the mean spacing
 
   FrameResult try_to_advance(const FoamView& mesh, bool fallback, const Equilibrate& equilibrate) {
-    NewtonRules rules = rules_of(mesh, fallback);
+    FrameResult result;
+    NewtonRules rules = rules_of(mesh, fallback, result);
     const double needed =
         executor_.reduce(mesh.bubble_slots(), 0.0, detail::StepsOf{rules}, parallel::Larger{});
     const double steps =
         (fallback ? kFallbackSteps : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
-    FrameResult result;
-    result.limit = rules.limit;
     for (int step = 0; step < steps && result.performed(); ++step) {
       take_step(mesh, rules, equilibrate, result);
     }
     return result;
   }
 
-  NewtonRules rules_of(const FoamView& mesh, bool fallback) {
+  /// \param result for the thresholds in force, which a fallback goes beyond, and the end where
+  /// they leave nothing.
+  NewtonRules rules_of(const FoamView& mesh, bool fallback, FrameResult& result) {
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
     Thresholds limit = newton_thresholds(
         thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds), spacing);
+    result.limit = limit;
+    const double largest =
+        executor_.reduce(mesh.bubble_slots(), 0.0, detail::AreaOf{rate.mesh}, parallel::Larger{});
+    if (sums.bubbles > 2 && largest <= limit.t2_area) {
+      result.end = End::Cause::AllVanish;
+    }
     limit.t1_length = std::max(limit.t1_length, fallback ? kFallbackT1 * spacing : 0);
     return {.limit = limit,
             .two_sided = {options_.two_sided_bubbles, limit.t1_length},
@@ -147,7 +162,7 @@ private:
 
     const detail::AdmissibleRate rate{rules};
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
-    if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
+    if (!mesh.surroundings.periodic() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
       result.end = End::Cause::LastTwo;
       return;
@@ -159,8 +174,8 @@ private:
     result.report = found.report;
     result.report.iterations = iterations;
     result.operations.t1 += found.t1;
-    if (!found.report.converged && !(found.report.residual < kNearlyConverged &&
-                                     measure_equilibrium(executor_, const_view(mesh)).possible)) {
+    if (!(found.report.residual < kNearlyConverged) ||
+        !measure_equilibrium(executor_, const_view(mesh)).possible) {
       result.end = End::Cause::NoEquilibrium;
     }
   }

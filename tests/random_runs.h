@@ -26,20 +26,20 @@ public:
     boundary_ = pick(std::array{Boundary::Free, Boundary::Periodic, Boundary::Fixed});
     options_.stepping = pick(std::array{Stepping::Events, Stepping::FixedSteps});
     options_.two_sided_bubbles = pick(std::array{TwoSidedBubbles::Remove, TwoSidedBubbles::Slide});
-    options_.thresholds =
-        pick(std::array<ThresholdOptions, 8>{{{.kind = ThresholdKind::Absolute, .t1_length = 0.025, .t2_area = 0.05},
-                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.025, .t2_area = 0.05},
-                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.1, .t2_area = 0.1},
-                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.05, .t2_area = 0.005},
-                                              {.kind = ThresholdKind::Absolute, .t1_length = 0.002, .t2_area = 1e-4},
-                                              {.kind = ThresholdKind::Absolute, .t1_length = 0, .t2_area = 0},
-                                              {.kind = ThresholdKind::Relative},
-                                              {.kind = ThresholdKind::Relative, .alpha = 0.02}}});
+    options_.thresholds = pick(std::array<ThresholdOptions, 8>{
+        {{.kind = ThresholdKind::Automatic},
+         {.kind = ThresholdKind::Absolute, .t1_length = 0.025, .t2_area = 0.05},
+         {.kind = ThresholdKind::Absolute, .t1_length = 0.1, .t2_area = 0.1},
+         {.kind = ThresholdKind::Absolute, .t1_length = 0.05, .t2_area = 0.005},
+         {.kind = ThresholdKind::Absolute, .t1_length = 0.002, .t2_area = 1e-4},
+         {.kind = ThresholdKind::Absolute, .t1_length = 0, .t2_area = 0},
+         {.kind = ThresholdKind::Relative},
+         {.kind = ThresholdKind::Relative, .alpha = 0.02}}});
     areas_ = pick(std::array{TargetAreas::Initial, TargetAreas::Uniform, TargetAreas::Array});
     surface_tension_ = between(0.05, 5);
     options_.permeability = between(0.1, 10);
     options_.time_step =
-        between(0.002, 0.5) / von_neumann_constant(surface_tension_, options_.permeability);
+        between(0.005, 0.5) / von_neumann_constant(surface_tension_, options_.permeability);
     jitter_ = random_.uniform();
   }
 
@@ -73,9 +73,10 @@ public:
            among(areas_, "Initial", "Uniform", "Array") + ", jitter " + number(jitter_) +
            ", SurfaceTension " + number(surface_tension_) + ", Permeability " +
            number(options_.permeability) + ", TimeStep " + number(options_.time_step) +
-           (limit.relative
-                ? ", Alpha " + number(limit.alpha)
-                : ", T1Length " + number(limit.t1_length) + ", T2Area " + number(limit.t2_area));
+           among(limit.kind,
+                 ", Absolute, T1Length " + number(limit.t1_length) + ", T2Area " +
+                     number(limit.t2_area),
+                 ", Relative, Alpha " + number(limit.alpha), std::string(", Automatic"));
   }
 
 private:

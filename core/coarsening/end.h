@@ -8,8 +8,8 @@
 
 namespace foam {
 
-/// The end of a run at its last foam. \param bubble that is to vanish; the smallest one if none
-/// \param limit in force, in the foam's units
+/// The end of a run at its last foam. \param bubble that is to vanish; if none is given the
+/// smallest, or the largest if all vanish \param limit in force, in the foam's units
 End end_at(const Foam& last, End::Cause cause, const Thresholds& limit, Bubble bubble = kNone);
 
 /// An end in words: what stands in the way, with its figures, and what would help.

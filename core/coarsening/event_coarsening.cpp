@@ -5,13 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "coarsening/end.h"
 #include "coarsening/newton_rules.h"
 #include "mesh/neighbourhood.h"
-#include "mesh/validate.h"
 #include "physics/gas.h"
 #include "physics/step_limits.h"
 #include "physics/swap_rule.h"
@@ -54,22 +52,10 @@ std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
   return films;
 }
 
-/// Whether a foam that is not in equilibrium may still be shown and gone on from.
-bool is_a_foam(const Foam& foam) {
-  const auto in_range = [](double alpha) { return std::abs(alpha) < std::numbers::pi; };
-  for (const Bubble b : foam.bubble_slots()) {
-    if (foam.has_bubble(b) && !(foam.target_area[b] > 0)) {
-      return false;
-    }
-  }
-  return foam.report.converged ||
-         (std::ranges::all_of(foam.film_angle, in_range) && validate_geometry(foam).empty());
-}
-
 } // namespace
 
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
-    : options_(options), newton_(options.equilibrator) {}
+    : options_(options), newton_(options.equilibrator), in_need_(options) {}
 
 void EventCoarsening::restart(Foam foam) {
   Field<Bubble, double> back_off(foam.bubble_half.size(), 1.0);
@@ -93,17 +79,27 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   const bool few = foam_.bubble_count() <= kFewBubbles;
   try {
     std::optional<Obstacle> obstacle = integrate(few, aborted);
-    if (obstacle || !foam_.report.converged) {
+    if (obstacle ? obstacle->cause != End::Cause::AllVanish : !foam_.report.converged) {
       undo(before);
       newton_.forget();
       obstacle = integrate(!few, aborted);
     }
-    if (!obstacle && !is_a_foam(foam_)) {
+    if (!obstacle && !foam_.report.converged) {
       obstacle = {End::Cause::NoEquilibrium};
     }
     if (obstacle) {
       undo(before);
       newton_.forget();
+      if (obstacle->cause != End::Cause::LastTwo && obstacle->cause != End::Cause::AllVanish) {
+        in_need_.restart(foam_);
+        if (in_need_.advance(aborted)) {
+          foam_ = in_need_.foam();
+          return true;
+        }
+        if (in_need_.foam().ended->cause == End::Cause::LastTwo) {
+          obstacle = {End::Cause::LastTwo};
+        }
+      }
       foam_.ended = end_at(foam_, obstacle->cause, limit_, obstacle->bubble);
       return false;
     }
@@ -150,6 +146,10 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   room_ = whole_ ? kManySidedArea * mean_area : limit_.t2_area;
   smallest_area_ = kSmallestArea * mean_area;
 
+  if (end_at(foam_, End::Cause::AllVanish, limit_).area <= limit_.t2_area &&
+      foam_.bubble_count() > 2) {
+    return Obstacle{End::Cause::AllVanish};
+  }
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
     iterations_ += newton_.equilibrate(foam_, limit_.t1_length, aborted).iterations;
   }
@@ -446,7 +446,7 @@ EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
 }
 
 EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
-  const bool last_two = foam_.bubble_count() == 2;
+  const bool last_two = !foam_.surroundings.periodic() && foam_.bubble_count() == 2;
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }
 

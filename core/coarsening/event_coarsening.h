@@ -8,6 +8,7 @@
 #include "coarsening/coarsening.h"
 #include "coarsening/event_queue.h"
 #include "coarsening/motion.h"
+#include "coarsening/newton_frame_coarsening.h"
 #include "equilibrium/newton_equilibrator.h"
 #include "physics/thresholds.h"
 
@@ -26,7 +27,8 @@ namespace foam {
 /// equilibrium, whatever the frames are. In a larger one a patch around the event relaxes, while
 /// the rest of the foam moves on along its response; a few rings away an event is hardly felt, nor
 /// does it cost anything there. A frame that does not succeed in one way is done again in the
-/// other.
+/// other, and if that leads nowhere in fixed steps. Only where those find no way either has the foam
+/// come to its end.
 class EventCoarsening final : public Coarsening {
 public:
   explicit EventCoarsening(const CoarseningOptions& options);
@@ -87,6 +89,7 @@ private:
 
   CoarseningOptions options_;
   NewtonEquilibrator newton_;
+  NewtonFrameCoarsening in_need_;
   Foam foam_;
   Motion motion_;
   EventQueue queue_;

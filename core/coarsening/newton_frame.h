@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -57,6 +58,14 @@ struct StepsOf {
   }
 };
 
+struct AreaOf {
+  ConstFoamView mesh;
+
+  FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
+    return mesh.has_bubble(bubble) ? mesh.target_area[bubble] : 0;
+  }
+};
+
 struct Vanishes {
   NewtonRules rules;
 
@@ -76,14 +85,27 @@ public:
       : executor_(executor), options_(options), reservations_(executor),
         newton_(executor, options.equilibrator, std::move(direct)), allowed_(executor) {}
 
+  /// Another way to an equilibrium of the mesh, with T1s of films shorter than this (cm).
+  using Equilibrate = std::function<newton::NewtonResult(double t1_length)>;
+
   /// Advances a mesh by one time step. Where no equilibrium is found it is done once more with
   /// care: in four times as many steps, and with T1s of films up to a tenth of the bubbles'
   /// spacing. \param begin called as begin(), gives the mesh as it was before the frame. Where the
-  /// frame throws Aborted or is not performed, the mesh is somewhere in between.
-  template <class Begin> FrameResult advance(const Begin& begin, const AbortCheck& aborted) {
-    const FrameResult result = try_to_advance(begin(), false, aborted);
-    return result.performed() && result.report.converged ? result
-                                                         : try_to_advance(begin(), true, aborted);
+  /// frame throws Aborted or is not performed, the mesh is somewhere in between. \param in_need
+  /// finds the equilibria then, if there is one
+  template <class Begin>
+  FrameResult advance(const Begin& begin, const AbortCheck& aborted,
+                      const Equilibrate& in_need = {}) {
+    const auto on_its_own = [&](const FoamView& mesh) -> Equilibrate {
+      return [&, mesh](double t1_length) { return newton_.equilibrate(mesh, t1_length, aborted); };
+    };
+    FoamView mesh = begin();
+    const FrameResult result = try_to_advance(mesh, false, on_its_own(mesh));
+    if (result.performed() && result.report.converged) {
+      return result;
+    }
+    mesh = begin();
+    return try_to_advance(mesh, true, in_need ? in_need : on_its_own(mesh));
   }
 
 private:
@@ -91,27 +113,34 @@ private:
   static constexpr double kFallbackSteps = 4; // times as many steps
   static constexpr double kFallbackT1 = 0.1;  // of the mean spacing
 
-  FrameResult try_to_advance(const FoamView& mesh, bool fallback, const AbortCheck& aborted) {
-    NewtonRules rules = rules_of(mesh, fallback);
+  FrameResult try_to_advance(const FoamView& mesh, bool fallback, const Equilibrate& equilibrate) {
+    FrameResult result;
+    NewtonRules rules = rules_of(mesh, fallback, result);
     const double needed =
         executor_.reduce(mesh.bubble_slots(), 0.0, detail::StepsOf{rules}, parallel::Larger{});
     const double steps =
         (fallback ? kFallbackSteps : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
-    FrameResult result;
-    result.limit = rules.limit;
     for (int step = 0; step < steps && result.performed(); ++step) {
-      take_step(mesh, rules, aborted, result);
+      take_step(mesh, rules, equilibrate, result);
     }
     return result;
   }
 
-  NewtonRules rules_of(const FoamView& mesh, bool fallback) {
+  /// \param result for the thresholds in force, which a fallback goes beyond, and the end where
+  /// they leave nothing.
+  NewtonRules rules_of(const FoamView& mesh, bool fallback, FrameResult& result) {
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
     Thresholds limit = newton_thresholds(
         thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds), spacing);
+    result.limit = limit;
+    const double largest =
+        executor_.reduce(mesh.bubble_slots(), 0.0, detail::AreaOf{rate.mesh}, parallel::Larger{});
+    if (sums.bubbles > 2 && largest <= limit.t2_area) {
+      result.end = End::Cause::AllVanish;
+    }
     limit.t1_length = std::max(limit.t1_length, fallback ? kFallbackT1 * spacing : 0);
     return {.limit = limit,
             .two_sided = {options_.two_sided_bubbles, limit.t1_length},
@@ -120,7 +149,7 @@ private:
             .time_step = options_.time_step};
   }
 
-  void take_step(const FoamView& mesh, NewtonRules rules, const AbortCheck& aborted,
+  void take_step(const FoamView& mesh, NewtonRules rules, const Equilibrate& equilibrate,
                  FrameResult& result) {
     if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
       reservations_.run(mesh,
@@ -133,19 +162,20 @@ private:
 
     const detail::AdmissibleRate rate{rules};
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
-    if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
+    if (!mesh.surroundings.periodic() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
       result.end = End::Cause::LastTwo;
       return;
     }
     diffuse(executor_, mesh, rate, sums, rules.time_step);
 
-    const newton::NewtonResult found = newton_.equilibrate(mesh, rules.limit.t1_length, aborted);
+    const newton::NewtonResult found = equilibrate(rules.limit.t1_length);
     const int iterations = result.report.iterations + found.report.iterations;
     result.report = found.report;
     result.report.iterations = iterations;
     result.operations.t1 += found.t1;
-    if (!found.report.converged && !measure_equilibrium(executor_, const_view(mesh)).possible) {
+    if (!(found.report.residual < kNearlyConverged) ||
+        !measure_equilibrium(executor_, const_view(mesh)).possible) {
       result.end = End::Cause::NoEquilibrium;
     }
   }

@@ -7,7 +7,8 @@ namespace foam {
 
 NewtonFrameCoarsening::NewtonFrameCoarsening(const CoarseningOptions& options, int threads,
                                              std::size_t least_per_thread)
-    : options_(options), host_(threads, least_per_thread), frame_(host_, options) {}
+    : options_(options), host_(threads, least_per_thread), frame_(host_, options),
+      in_need_(options.equilibrator) {}
 
 void NewtonFrameCoarsening::restart(Foam foam) {
   foam_ = std::move(foam);
@@ -19,7 +20,15 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
     next = foam_;
     return view_of(next);
   };
-  const FrameResult result = frame_.advance(begin, aborted);
+  const auto in_need = [&](double t1_length) {
+    in_need_.forget(); // the topology of a view changes unseen
+    newton::NewtonResult found;
+    const std::int64_t before = next.t1_count;
+    found.report = in_need_.equilibrate(next, t1_length, aborted);
+    found.t1 = std::exchange(next.t1_count, before) - before;
+    return found;
+  };
+  const FrameResult result = frame_.advance(begin, aborted, in_need);
   if (result.performed()) {
     foam_ = std::move(next);
   }

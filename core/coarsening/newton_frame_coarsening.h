@@ -3,11 +3,14 @@
 
 #include "coarsening/coarsening.h"
 #include "coarsening/newton_frame.h"
+#include "equilibrium/newton_equilibrator.h"
 #include "parallel/host.h"
 
 namespace foam {
 
 /// Newton's frames (NewtonFrame) on the processor's threads. The same bits for any number of them.
+/// Where MINRES leads to no equilibrium the frame is done with factorisations, which keep arcs
+/// about 90° their half-angles and tell a minimum from a saddle.
 class NewtonFrameCoarsening final : public Coarsening {
 public:
   /// \param options in range: make_coarsening checks them.
@@ -23,6 +26,7 @@ private:
   CoarseningOptions options_;
   Host host_;
   NewtonFrame<Host> frame_;
+  NewtonEquilibrator in_need_;
   Foam foam_;
 };
 

@@ -16,6 +16,9 @@ inline constexpr double kSmallestArea = 1e-6;  // of the mean area: no bubble ge
 inline constexpr double kManySidedArea = 1e-4; // of the mean area: with more than three sides, none
 inline constexpr double kSmallestLength = 1e-3; // of the mean spacing: no T1 length is shorter
 
+/// Residual of a foam that has not met the tolerance, below which it is still one to go on from.
+inline constexpr double kNearlyConverged = 1e-6;
+
 /// Thresholds down to which there are equilibria to be found.
 inline Thresholds newton_thresholds(const Thresholds& asked, double spacing) {
   return {std::max(asked.t1_length, kSmallestLength * spacing),

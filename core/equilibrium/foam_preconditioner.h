@@ -178,8 +178,9 @@ public:
     solid_ = solid;
     prepare(executor_, solid_, fine_, mesh.junctions);
     find_largest(executor_, solid_, fine_);
+    const Lattice cell = cell_of(units);
     const multigrid::Grid grid =
-        multigrid::grid_over(cell_of(units), mesh.surroundings.periodic(), kCellWidth);
+        multigrid::grid_over(cell, mesh.surroundings.periodic(), cell_width(cell));
     place_junctions(grid, units);
     assemble_elements(units, grids_.begin(grid));
     grids_.coarsen();
@@ -244,7 +245,15 @@ public:
 private:
   template <class T> using Array = typename Executor::template Array<T>;
 
-  static constexpr double kCellWidth = 2; // of the finest grid, in bubbles
+  static constexpr double kCellWidth = 2;  // of the finest grid, in bubbles
+  static constexpr double kMostCells = 16; // for each junction
+
+  /// Of the finest grid: wider where a foam has flown apart on a way that leads nowhere.
+  double cell_width(const Lattice& cell) const {
+    const double most = kMostCells * solid_.matrix.mesh.junctions;
+    return std::max({kCellWidth, std::sqrt(cell.area() / most),
+                     std::max(norm(cell.first), norm(cell.second)) / most});
+  }
 
   Executor& executor_;
   Solid solid_;

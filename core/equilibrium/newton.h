@@ -31,6 +31,7 @@
 
 #include "base/abort.h"
 #include "equilibrium/evaluation.h"
+#include "equilibrium/zero_modes.h"
 
 namespace foam::newton {
 
@@ -80,6 +81,9 @@ public:
         throw Aborted();
       }
       if (problem.renew() || !evaluated) {
+        if (!begun) {
+          remove_gained_pressure(problem);
+        }
         residual = evaluate(problem);
         evaluated = true;
       }
@@ -132,6 +136,16 @@ public:
   const Evaluation<Executor>& state() const { return state_; }
 
 private:
+  /// Steps leave the mean pressure as it is, but bubbles that vanish take theirs with them, and
+  /// what is left can come to outweigh the differences, which alone count.
+  template <class Problem> void remove_gained_pressure(const Problem& problem) {
+    const Domain& domain = problem.domain();
+    if (domain.whole) {
+      const FoamView& mesh = problem.mesh();
+      remove_common_pressure(executor_, const_view(mesh), domain.bubbles, mesh.pressure);
+    }
+  }
+
   template <class Problem> double longest_step_of(const Problem& problem, const StepView& step) {
     return longest_step(executor_, const_view(problem.mesh()), problem.domain(), step);
   }

@@ -18,7 +18,7 @@ struct Wrap {
   friend FOAM_HOST_DEVICE Wrap operator+(Wrap a, Wrap b) { return {a.x + b.x, a.y + b.y}; }
   friend FOAM_HOST_DEVICE Wrap operator-(Wrap a) { return {-a.x, -a.y}; }
   friend FOAM_HOST_DEVICE Wrap operator-(Wrap a, Wrap b) { return a + (-b); }
-  friend bool operator==(Wrap a, Wrap b) = default;
+  friend FOAM_HOST_DEVICE bool operator==(Wrap a, Wrap b) { return a.x == b.x && a.y == b.y; }
 };
 
 /// The one place that knows a torus's images. Its cell is the parallelogram of the two periods at

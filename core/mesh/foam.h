@@ -26,12 +26,13 @@ struct EquilibriumReport {
 struct End {
   enum class Cause : std::uint8_t {
     LastTwo,      ///< a bubble is to vanish that is one of the last two
+    AllVanish,    ///< the largest bubble is to vanish, and with it all others
     CannotVanish, ///< a bubble is to vanish, and no operation takes it away
     NoEquilibrium ///< none was found for what comes next
   };
 
   Cause cause = Cause::NoEquilibrium;
-  std::int64_t bubble = 0; ///< the one that is to vanish, or the smallest
+  std::int64_t bubble = 0; ///< the one that is to vanish; the smallest if there is no equilibrium
   Index sides = 0;         ///< its films
   double area = 0;         ///< its A^τ, cm²
   double t2_area = 0;      ///< in force, at which bubbles vanish, cm²

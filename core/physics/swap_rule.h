@@ -16,11 +16,13 @@ template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Film 
 
 /// Whether the bubbles along a film have more than three sides, so that a swap leaves each three or
 /// more: three-sided bubbles vanish by T2. Beside a container's wall two are enough, the wall and a
-/// film.
+/// film. On a torus a bubble may lie on both sides, and loses two.
 template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Film film) {
-  const Index needed = detail::ends_on_wall(mesh, film) ? 3 : 4;
+  const Bubble left = mesh.left(film.half());
+  const Bubble right = mesh.right(film.half());
+  const Index needed = (detail::ends_on_wall(mesh, film) ? 3 : 4) + (left == right ? 1 : 0);
   const auto spares = [&](Bubble b) { return b.is_outside() || mesh.sides[b] >= needed; };
-  return spares(mesh.left(film.half())) && spares(mesh.right(film.half()));
+  return spares(left) && spares(right);
 }
 
 /// Whether the films at the ends of a short film pull it shut, and would pull the swapped film

@@ -61,6 +61,25 @@ FOAM_HOST_DEVICE bool can_meet(const Mesh& mesh, const std::array<Half, 3>& halv
                       mesh.tension(halves[2].film())});
 }
 
+/// Whether the bubbles at the ends of h are one and the same, in one place: a film between them
+/// would cut off what it encloses. On a torus a bubble may lie at both ends as two of its images,
+/// which may touch.
+template <class Mesh> FOAM_HOST_DEVICE bool encloses_between_ends(const Mesh& mesh, Half h) {
+  const Half from = mesh.next_around_junction(h);
+  const Half to = mesh.next_around_junction(h.twin());
+  if (mesh.left(from) != mesh.left(to)) {
+    return false;
+  }
+  if (!mesh.surroundings.periodic()) {
+    return true;
+  }
+  Wrap along_bubble;
+  for (Half k = from; k != to; k = mesh.next_in_bubble(k)) {
+    along_bubble = along_bubble + mesh.wrap(k);
+  }
+  return along_bubble == mesh.wrap(h);
+}
+
 /// Whether a junction between these bubbles would lie on a container's wall, which holds it.
 template <class Mesh, std::size_t N>
 FOAM_HOST_DEVICE bool pinned_beside(const Mesh& mesh, const std::array<Bubble, N>& bubbles) {
@@ -74,8 +93,8 @@ FOAM_HOST_DEVICE bool pinned_beside(const Mesh& mesh, const std::array<Bubble, N
 } // namespace detail
 
 /// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
-/// one differ, the film is no piece of a container's wall, and the new junctions can hold the
-/// tensions of their films.
+/// one differ, or are two images of one, the film is no piece of a container's wall, and the new
+/// junctions can hold the tensions of their films.
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Film film) {
   if (!mesh.bends(film)) {
     return false;
@@ -86,7 +105,9 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Fil
   const Half t1 = mesh.next_around_junction(t);
   const Bubble at_start = mesh.left(h1);
   const Bubble at_end = mesh.left(t1);
-  return at_start != at_end && detail::has_sides(mesh, h, 3) && detail::has_sides(mesh, t, 3) &&
+  const int needed = mesh.left(h) == mesh.right(h) ? 4 : 3;
+  return !detail::encloses_between_ends(mesh, h) && detail::has_sides(mesh, h, needed) &&
+         detail::has_sides(mesh, t, needed) &&
          (detail::pinned_beside(mesh, std::array{at_start, at_end}) ||
           (detail::can_meet(mesh, {h, mesh.previous_around_junction(t), h1}) &&
            detail::can_meet(mesh, {t, mesh.previous_around_junction(h), t1})));
@@ -149,7 +170,7 @@ template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mes
 }
 
 /// Whether the bubble has three sides, its neighbours can spare one each, and the three films that
-/// are to meet can hold each other's tensions.
+/// are to meet are three and can hold each other's tensions.
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bubble bubble) {
   if (!mesh.has_bubble(bubble) || mesh.sides[bubble] != 3) {
     return false;
@@ -159,9 +180,19 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bub
   std::array<Bubble, 3> neighbours{};
   std::size_t k = 0;
   for_each_half(mesh, bubble, [&](Half h) {
-    possible = possible && mesh.right(h) != bubble && detail::has_sides(mesh, h.twin(), 3);
     outer[k] = mesh.previous_around_junction(h);
     neighbours[k] = mesh.right(h);
+    ++k;
+  });
+  k = 0;
+  for_each_half(mesh, bubble, [&](Half h) {
+    int lost = 0;
+    for (const Bubble neighbour : neighbours) {
+      lost += neighbour == neighbours[k] ? 1 : 0;
+    }
+    possible = possible && neighbours[k] != bubble &&
+               outer[k].film() != outer[(k + 1) % 3].film() &&
+               detail::has_sides(mesh, h.twin(), 2 + lost);
     ++k;
   });
   return possible && (detail::pinned_beside(mesh, neighbours) || detail::can_meet(mesh, outer));
@@ -244,7 +275,7 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Bubble bubble) {
 }
 
 /// Whether the bubble has two sides and is not one of a double bubble, and the film that remains
-/// can hold its tension where the other one ended.
+/// joins two junctions and can hold its tension where the other one ended.
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bubble bubble) {
   if (!mesh.has_bubble(bubble) || mesh.sides[bubble] != 2) {
     return false;
@@ -253,7 +284,9 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bub
   const Half e1 = mesh.next_in_bubble(e0);
   const Half remaining = mesh.previous_around_junction(e0);
   const Half end = mesh.previous_around_junction(e1).twin();
-  return detail::has_sides(mesh, e0.twin(), 4) && detail::has_sides(mesh, e1.twin(), 4) &&
+  const int needed = mesh.right(e0) == mesh.right(e1) ? 6 : 4;
+  return detail::has_sides(mesh, e0.twin(), needed) && detail::has_sides(mesh, e1.twin(), needed) &&
+         mesh.end(remaining) != mesh.start(end) &&
          (!mesh.freedom(mesh.start(end)).any() ||
           detail::can_meet(mesh, {remaining, mesh.next_around_junction(end),
                                   mesh.previous_around_junction(end)}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <utility>
 
 #include "coarsening/coarsening.h"
@@ -18,11 +19,13 @@ namespace foam::cuda {
 /// \tparam Frame ParallelFrame<Gpu> or NewtonFrame<Gpu>
 template <class Frame> class ResidentCoarsening final : public Coarsening {
 public:
-  /// \param parts what else the frame is made of.
+  /// \param in_need does those frames on the processor that lead nowhere on the device; null if
+  /// there is no other way. \param parts what else the frame is made of.
   template <class... Parts>
-  explicit ResidentCoarsening(const CoarseningOptions& options, Parts&&... parts)
-      : time_step_(options.time_step), frame_(gpu_, options, std::forward<Parts>(parts)...),
-        sampler_(gpu_), statistics_(gpu_) {}
+  explicit ResidentCoarsening(const CoarseningOptions& options, std::unique_ptr<Coarsening> in_need,
+                              Parts&&... parts)
+      : time_step_(options.time_step), in_need_(std::move(in_need)),
+        frame_(gpu_, options, std::forward<Parts>(parts)...), sampler_(gpu_), statistics_(gpu_) {}
 
   void restart(Foam foam) override {
     foam_ = std::move(foam);
@@ -42,6 +45,9 @@ public:
       fetched_ = false;
     } else {
       foam();
+      if (in_need_) {
+        return advance_on_processor(aborted);
+      }
     }
     note(foam_, result, time_step_);
     return result.performed();
@@ -69,7 +75,17 @@ public:
   }
 
 private:
+  /// \pre the foam has been fetched.
+  bool advance_on_processor(const AbortCheck& aborted) {
+    in_need_->restart(foam_);
+    const bool goes_on = in_need_->advance(aborted);
+    foam_ = in_need_->foam();
+    now_.upload(foam_);
+    return goes_on;
+  }
+
   double time_step_; ///< s
+  std::unique_ptr<Coarsening> in_need_;
   Gpu gpu_;
   Frame frame_;
   FoamSampler<Gpu> sampler_;

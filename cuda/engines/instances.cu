@@ -5,6 +5,7 @@
 
 #include "algebra/device_direct_solver.h"
 #include "coarsening/newton_frame.h"
+#include "coarsening/newton_frame_coarsening.h"
 #include "coarsening/resident_coarsening.cuh"
 #include "equilibrium/executor_equilibrator.h"
 #include "mesh/device_foam.h"
@@ -53,9 +54,10 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
 std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
   if (options.equilibrator.kind == EquilibratorKind::Newton) {
     return std::make_unique<ResidentCoarsening<NewtonFrame<Gpu>>>(
-        options, direct_solver_for(options.equilibrator));
+        options, std::make_unique<NewtonFrameCoarsening>(options),
+        direct_solver_for(options.equilibrator));
   }
-  return std::make_unique<ResidentCoarsening<ParallelFrame<Gpu>>>(options);
+  return std::make_unique<ResidentCoarsening<ParallelFrame<Gpu>>>(options, nullptr);
 }
 
 } // namespace foam::cuda

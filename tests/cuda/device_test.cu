@@ -345,6 +345,18 @@ void end() {
   EXPECT_TRUE(coarsening->foam().target_area == double_bubble().target_area);
   EXPECT_TRUE(coarsening->record().ended.has_value());
   EXPECT_EQ(coarsening->record().ended->bubble, 0);
+
+  // Arcs about 90°, which the processor's factorisations are needed for.
+  options = options_on(Device::CUDA);
+  options.equilibrator.kind = EquilibratorKind::Newton;
+  options.time_step = 0.05;
+  const auto newton = make_coarsening(options);
+  newton->restart(double_bubble());
+  while (newton->advance({})) {
+    EXPECT_TRUE(newton->record().report.converged);
+  }
+  EXPECT_TRUE(newton->record().ended->cause == End::Cause::LastTwo);
+  EXPECT_EQ(newton->foam().bubble_count(), 2);
 }
 
 void abort() {

@@ -8,6 +8,7 @@
 //        --seed SEED     this run alone, frame by frame
 //        --slow S        a frame that takes longer is one that goes wrong, s, default 5
 //        --most N        bubbles at the start, at most, default 300
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -154,14 +155,30 @@ private:
     } else if (!validate_geometry(foam).empty()) {
       note("geometry not valid", foam);
     }
+    if (outlives_its_end(foam)) {
+      note("bubble that outlives the T2 area", foam);
+    }
     if (foam.surroundings.closed() && std::abs(gas(foam) / gas_before - 1) > 1e-9) {
       note("gas lost", foam);
     }
   }
 
+  /// Whether a bubble of up to three sides was at its end in the frame before already.
+  bool outlives_its_end(const Foam& foam) {
+    const double t2_area = thresholds(foam, run_.options().thresholds).t2_area;
+    std::vector<Bubble> at_end;
+    for (const Bubble b : foam.bubble_slots()) {
+      if (foam.has_bubble(b) && foam.sides[b] <= 3 && foam.target_area[b] < t2_area) {
+        at_end.push_back(b);
+      }
+    }
+    std::swap(at_end, at_end_);
+    return std::ranges::find_first_of(at_end, at_end_) != at_end.end();
+  }
+
   void note_end(const Foam& foam) {
     const End end = foam.ended.value();
-    const std::array causes{"last two", "cannot vanish", "no equilibrium"};
+    const std::array causes{"last two", "all vanish", "cannot vanish", "no equilibrium"};
     if (arguments_.seed != 0) {
       std::cout << "ended at " << foam.time << " s: " << reason(end) << '\n';
     }
@@ -177,6 +194,7 @@ private:
 
   std::uint64_t seed_;
   RandomRun run_;
+  std::vector<Bubble> at_end_; ///< in the last frame
   const Arguments& arguments_;
   Tally& tally_;
   std::atomic<std::int64_t>& done_;

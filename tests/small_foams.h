@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "coarsening/end.h"
+#include "core/foams.h"
+#include "random_runs.h"
+
+namespace foam::test {
+
+/// A run of a small foam at random, every frame of which has to be an equilibrium that keeps its
+/// gas, and that ends only where its model does: a free foam at its last two bubbles, one on a
+/// torus never. \returns the bubbles that are left; 0 if there is no equilibrium to begin with.
+inline Index run_at_random(std::uint64_t seed, double most, int frames) {
+  const RandomRun run(seed, 5, most);
+  const std::string where = run.text() + ": ";
+  Foam start = run.start();
+  if (!make_equilibrator({})->equilibrate(start, 0.05 * start.mean_spacing(), {}).converged) {
+    return 0;
+  }
+  const double gas_before = gas(start);
+  const auto coarsening = make_coarsening(run.options());
+  coarsening->restart(start);
+  for (int frame = 1; frame <= frames; ++frame) {
+    const double time = coarsening->foam().time;
+    const bool goes_on = coarsening->advance({});
+    const Foam& foam = coarsening->foam();
+    EXPECT_EQ(goes_on, !foam.ended) << where;
+    if (!goes_on) {
+      EXPECT_EQ(foam.time, time) << where;
+      EXPECT_EQ(foam.ended->bubbles, foam.bubble_count()) << where;
+      EXPECT_NE(run.boundary(), Boundary::Periodic) << where << reason(*foam.ended);
+      if (run.boundary() == Boundary::Free) {
+        EXPECT_EQ(foam.ended->cause, End::Cause::LastTwo) << where << reason(*foam.ended);
+      }
+      break;
+    }
+    EXPECT_NEAR(foam.time - time, run.options().time_step, 1e-9 * foam.time) << where;
+    expect_valid(foam, where);
+    EXPECT_TRUE(foam.report.converged) << where << "residual " << foam.report.residual;
+    if (run.boundary() == Boundary::Periodic) {
+      EXPECT_NEAR(gas(foam) / gas_before, 1, 1e-10) << where;
+    }
+  }
+  return coarsening->foam().bubble_count();
+}
+
+} // namespace foam::test

@@ -21,14 +21,15 @@ def double_bubble():
         lines.InsertNextCell(2, [0, 1])
     films.SetPoints(points)
     films.SetLines(lines)
-    zero = ("TimeValue", "Boundary", "Iterations", "MaxAngleError", "MaxAreaError", "T1Count", "T2Count", "T3Count")
+    zero = ("TimeValue", "Boundary", "Converged", "Iterations", "MaxAngleError", "MaxAreaError", "T1Count", "T2Count",
+            "T3Count")
     for attributes, given in (
             (films.GetPointData(), {"JunctionId": [0, 1]}),
             (films.GetCellData(), {"LeftBubble": [-1, 0, 1], "RightBubble": [0, 1, -1],
                                    "HalfAngle": [-pi / 2, 0, pi / 2]}),
             (films.GetFieldData(), {"BubbleId": [0, 1], "BubblePressure": [0, 0], "BubbleTargetArea": [1, 1],
-                                    "SurfaceTension": [0.5], "PeriodicBounds": [0, 0, 0, 0], "FormatVersion": [1],
-                                    "Converged": [1], **{name: [0] for name in zero}})):
+                                    "SurfaceTension": [0.5], "PeriodicBounds": [0, 0, 0, 0], "FormatVersion": [2],
+                                    **{name: [0] for name in zero}})):
         add_arrays(attributes, given)
     source = TrivialProducer()
     source.GetClientSideObject().SetOutput(films)

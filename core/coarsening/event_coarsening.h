@@ -27,8 +27,8 @@ namespace foam {
 /// equilibrium, whatever the frames are. In a larger one a patch around the event relaxes, while
 /// the rest of the foam moves on along its response; a few rings away an event is hardly felt, nor
 /// does it cost anything there. A frame that does not succeed in one way is done again in the
-/// other, and if that leads nowhere in fixed steps. Only where those find no way either has the foam
-/// come to its end.
+/// other, and if that leads nowhere in fixed steps. Only where those find no way either has the
+/// foam come to its end.
 class EventCoarsening final : public Coarsening {
 public:
   explicit EventCoarsening(const CoarseningOptions& options);

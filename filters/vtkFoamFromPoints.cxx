@@ -22,8 +22,8 @@
 #include "PipelineRequest.h"
 #include "construct/from_points.h"
 #include "engines/engines.h"
-#include "equilibrium/obstacle.h"
 #include "physics/equilibrium_measures.h"
+#include "physics/obstacle.h"
 #include "sampling/sampled_foam.h"
 
 vtkStandardNewMacro(vtkFoamFromPoints);

@@ -13,8 +13,8 @@
 #include "engines/engines.h"
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/equilibrator.h"
-#include "equilibrium/obstacle.h"
 #include "far_starts.h"
+#include "physics/obstacle.h"
 
 namespace foam::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "equilibrium/obstacle.h"
+#include "physics/obstacle.h"
 
 #include <cmath>
 #include <utility>
@@ -40,12 +40,13 @@ double misfit(const Foam& foam, Film film) {
              : 0;
 }
 
-std::string name_of(Bubble bubble) {
-  return bubble.is_outside() ? "the outside" : "bubble " + to_string(bubble.index());
+std::string name_of(const Foam& foam, Bubble bubble) {
+  return bubble.is_outside() ? "the outside" : "bubble " + to_string(foam.bubble_id[bubble]);
 }
 
 std::string between(const Foam& foam, Film film) {
-  return "between " + name_of(foam.left(film.half())) + " and " + name_of(foam.right(film.half()));
+  return "between " + name_of(foam, foam.left(film.half())) + " and " +
+         name_of(foam, foam.right(film.half()));
 }
 
 std::string of_junction(const Foam& foam, Junction junction, double force) {
@@ -65,7 +66,7 @@ std::string of_junction(const Foam& foam, Junction junction, double force) {
 std::string of_bubble(const Foam& foam, Bubble bubble) {
   int held = 0;
   for_each_half(foam, bubble, [&](Half h) { held += foam.moves(foam.start(h)) ? 0 : 1; });
-  return "bubble " + to_string(bubble.index()) + " of " + to_string(foam.sides[bubble]) + " sides" +
+  return name_of(foam, bubble) + " of " + to_string(foam.sides[bubble]) + " sides" +
          (held > 0 ? ", " + to_string(held) + " of its corners held by the wall," : "") +
          " has the area " + number(foam.area(bubble)) + " in place of " +
          number(foam.target_area[bubble]) + " cm²";

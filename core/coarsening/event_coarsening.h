@@ -47,7 +47,7 @@ private:
 
   /// What a frame cannot get over.
   struct Obstacle {
-    End::Cause cause;
+    End::Cause cause = End::Cause::NoEquilibrium;
     Bubble bubble = kNone; ///< that is to vanish
   };
 

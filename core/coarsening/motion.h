@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "equilibrium/domain.h"
-#include "physics/rates.h"
 #include "equilibrium/step.h"
 #include "mesh/foam.h"
+#include "physics/rates.h"
 
 namespace foam {
 

@@ -47,8 +47,8 @@ public:
     Problem problem(executor_, mesh, swaps_, t1_length);
     int iterations = 0;
     const int before = solver_.iterations();
-    const Outcome outcome = newton_.relax(problem, solver_, options_.tolerance, iterations,
-                                          most_iterations, aborted);
+    const Outcome outcome =
+        newton_.relax(problem, solver_, options_.tolerance, iterations, most_iterations, aborted);
     const EquilibriumMeasures measures = measure_equilibrium(executor_, const_view(mesh));
     return {.report = {.converged = outcome.converged,
                        .iterations = iterations,

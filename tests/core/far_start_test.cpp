@@ -60,7 +60,7 @@ TEST(FarStart, EqualAreasOnRandomPointsReachEquilibrium) {
 
 TEST(FarStart, LognormalAreasReachEquilibrium) {
   for (const double variation : {0.5, 1.0, 1.5}) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       expect_equilibrium_from({Points::Jittered, Boundary::Periodic, 196, variation, seed});
       expect_equilibrium_from({Points::Poisson, Boundary::Free, 50, variation, seed});
       expect_equilibrium_from({Points::Poisson, Boundary::Periodic, 50, variation, seed});

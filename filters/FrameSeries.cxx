@@ -130,8 +130,13 @@ bool FrameSeries::is_listed(const std::string& file) const {
 }
 
 void FrameSeries::delete_given_up() {
+  const auto kept = [&](const std::filesystem::path& file) {
+    return std::ranges::any_of(frames_, [&](const Frame& frame) {
+      return (folder_ / frame.file).lexically_normal() == (folder_ / file).lexically_normal();
+    });
+  };
   for (const std::filesystem::path file : given_up_) {
-    if (file.parent_path() == index_.stem()) {
+    if (file.parent_path() == index_.stem() && !kept(file)) {
       std::filesystem::remove(folder_ / file);
     }
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -101,6 +102,10 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   this->RequestStart(inputs[0]->GetInformationObject(0));
   int upstreamPort = 0;
   vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
+  if (vtkCompositeDataSet::SafeDownCast(upstream->GetOutputDataObject(upstreamPort))) {
+    vtkErrorMacro("The input has blocks, and one foam is wanted: Extract Block takes one of them.");
+    return 0;
+  }
   upstream->Update(upstreamPort);
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   const double start = foam::filters::read_time(input);

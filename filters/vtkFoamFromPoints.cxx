@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -111,25 +112,22 @@ bool AnyOf(const double values[4]) {
   return std::any_of(values, values + 4, [](double v) { return v != 0; });
 }
 
-/// The rectangle that the cells of vtkFoamPoints fill, if the input is such points still: none of
-/// its sides is further from them than two spacings, and none of them is outside.
-std::optional<foam::Lattice> ReadGrid(vtkPointSet* input, const std::vector<foam::Vec2>& points) {
-  vtkDataArray* array = input->GetFieldData()->GetArray("PeriodicBounds");
-  if (!array || array->GetNumberOfComponents() != 4 || array->GetNumberOfTuples() != 1 ||
-      points.empty()) {
-    return std::nullopt;
-  }
-  double grid[4];
-  array->GetTuple(0, grid);
-  double bounds[6];
-  input->GetBounds(bounds);
-  const double area = (grid[1] - grid[0]) * (grid[3] - grid[2]);
-  const double farthest = 2 * std::sqrt(area / static_cast<double>(points.size()));
-  const auto beside = [&](double side, double extreme) {
-    return side >= extreme && side - extreme <= farthest;
+/// The rectangle that the cells of vtkFoamPoints fill, if the input is such points still: not
+/// moved, nor some of them alone.
+std::optional<foam::Lattice> ReadGrid(vtkPointSet* input) {
+  const auto read = [&](const char* name, double values[4]) {
+    vtkDataArray* array = input->GetFieldData()->GetArray(name);
+    const bool found =
+        array && array->GetNumberOfComponents() == 4 && array->GetNumberOfTuples() == 1;
+    if (found) {
+      array->GetTuple(0, values);
+    }
+    return found;
   };
-  if (!beside(bounds[0], grid[0]) || !beside(grid[1], bounds[1]) || !beside(bounds[2], grid[2]) ||
-      !beside(grid[3], bounds[3])) {
+  double grid[4], of[4], bounds[6];
+  input->GetBounds(bounds);
+  if (!read("PeriodicBounds", grid) || !read("PeriodicBoundsOf", of) ||
+      !std::equal(of, of + 4, bounds)) {
     return std::nullopt;
   }
   return foam::Lattice::rectangle(grid[0], grid[1], grid[2], grid[3]);
@@ -152,7 +150,7 @@ std::optional<foam::Lattice> ReadTorus(vtkPointSet* input, const double bounds[4
                          {periods[2], periods[3]}};
   }
   if (!bounded) {
-    return ReadGrid(input, points);
+    return ReadGrid(input);
   }
   return foam::Lattice::rectangle(bounds[0], bounds[1], bounds[2], bounds[3]);
 }
@@ -197,6 +195,10 @@ int vtkFoamFromPoints::RequestUpdateExtent(vtkInformation* request, vtkInformati
 void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  if (input->GetPointData()->HasArray("JunctionId") &&
+      input->GetCellData()->HasArray("LeftBubble")) {
+    fail("the input is the films of a foam, not points: FoamCoarsen and FoamStatistics take films");
+  }
   const std::vector<foam::Vec2> points = ReadPoints(input);
   foam::BuildOptions options = *this->Options;
   if (options.boundary == foam::Boundary::Periodic) {

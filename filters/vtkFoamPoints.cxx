@@ -47,6 +47,11 @@ int vtkFoamPoints::RequestData(vtkInformation* request, vtkInformationVector**,
     bounds->SetNumberOfComponents(4);
     bounds->InsertNextTuple4(0, corner.x, 0, corner.y);
     output->GetFieldData()->AddArray(bounds);
+    vtkNew<vtkDoubleArray> of; // for these points, and no others
+    of->SetName("PeriodicBoundsOf");
+    of->SetNumberOfComponents(4);
+    of->InsertNextTuple(output->GetBounds());
+    output->GetFieldData()->AddArray(of);
   } catch (const std::exception& error) {
     vtkErrorMacro(<< error.what());
   }

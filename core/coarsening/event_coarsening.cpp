@@ -119,18 +119,33 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
 std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool whole,
                                                                     const AbortCheck& aborted) {
   whole_ = whole;
-  const double spacing = foam_.mean_spacing();
-  unit_of_time_ =
-      spacing * spacing / von_neumann_constant(foam_.surface_tension, options_.permeability);
-  const double steps =
-      std::max(std::ceil(options_.time_step / (kLongestStep * unit_of_time_)), 1.0);
-  step_ = options_.time_step / steps;
-  for (double done = 0; done < steps; ++done) {
+  double remaining = options_.time_step;
+  while (true) {
+    unit_of_time_ =
+        foam_.mean_area() / von_neumann_constant(foam_.surface_tension, options_.permeability);
+    const double steps = stands_still(remaining)
+                             ? 1
+                             : std::max(std::ceil(remaining / (kLongestStep * unit_of_time_)), 1.0);
+    step_ = remaining / steps;
     if (const auto obstacle = step(aborted)) {
       return obstacle;
     }
+    if (steps == 1) {
+      return std::nullopt;
+    }
+    remaining -= step_;
   }
-  return std::nullopt;
+}
+
+/// Whether no bubble's area changes in a time (s) but for rounding: all have six sides, say.
+bool EventCoarsening::stands_still(double time) const {
+  const Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+  for (const Bubble b : foam_.bubble_slots()) {
+    if (foam_.has_bubble(b) && std::abs(rates[b]) * time > kReached * foam_.target_area[b]) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Goes through a step from one event to the next.

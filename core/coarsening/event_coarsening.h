@@ -52,6 +52,7 @@ private:
   };
 
   std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
+  bool stands_still(double time) const;
   std::optional<Obstacle> step(const AbortCheck& aborted);
   std::optional<Obstacle> step_by_patches(const AbortCheck& aborted);
   std::optional<Obstacle> step_whole(const AbortCheck& aborted);

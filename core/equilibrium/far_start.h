@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/abort.h"
 #include "equilibrium/compressible_relaxation.h"
@@ -73,6 +74,9 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, 
       break;
     }
     come_nearer();
+  }
+  if (!std::isfinite(foam.report.residual)) { // no foam at all
+    go_back_to(origin);
   }
   foam.report.iterations = iterations;
   return foam.report;

@@ -88,12 +88,19 @@ EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, d
   const auto holds = [](double measured, double said) { return measured <= 1.01 * said + 1e-12; };
   const double said_in_all =
       std::max({report.max_angle_error, report.max_area_error, report.residual});
-  if (holds(worst_angle(foam, rounding), report.max_angle_error) &&
-      holds(worst_area(foam, rounding), report.max_area_error) &&
-      holds(worst_curvature(foam, rounding), said_in_all)) {
+  const bool explained = holds(worst_angle(foam, rounding), report.max_angle_error) &&
+                         holds(worst_area(foam, rounding), report.max_area_error) &&
+                         holds(worst_curvature(foam, rounding), said_in_all);
+  const auto near = [](double measured, double said) {
+    return measured <= 1.01 * said + 1e-7 && measured >= 0.99 * said - 1e-9;
+  };
+  EquilibriumReport measured = measured_report(foam);
+  if (explained && near(measured.max_angle_error, report.max_angle_error) &&
+      near(measured.max_area_error, report.max_area_error)) {
     return report;
   }
-  EquilibriumReport measured = measured_report(foam);
+  constexpr double kLargestRounding = 1e-3; // that leaves an equilibrium what it is
+  measured.converged = report.converged && explained && measured.residual < kLargestRounding;
   measured.iterations = report.iterations;
   return measured;
 }

@@ -48,7 +48,8 @@ int vtkSMFoamInputDomain::IsInDomain(vtkSMProperty* input) {
     }
     source->CreateOutputPorts();
     const auto* data = source->GetDataInformation(inputs.GetOutputPort(i));
-    if (!data || this->Accepted.find(KindOf(data)) == std::string::npos) {
+    if (!data || data->IsCompositeDataSet() ||
+        this->Accepted.find(KindOf(data)) == std::string::npos) {
       return NOT_IN_DOMAIN;
     }
   }

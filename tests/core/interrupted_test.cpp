@@ -136,7 +136,7 @@ TEST(Report, HoldsWhereverAFoamIsMovedAndTurned) {
                     std::sin(angle) * p.x + std::cos(angle) * p.y} +
                shift;
       });
-      EXPECT_TRUE(is_confirmed(moved)) << seed << ' ' << far;
+      EXPECT_TRUE(confirmed(moved.report, moved, rounding(moved)).converged) << seed << ' ' << far;
     }
   }
 }

@@ -54,6 +54,25 @@ TEST(SmallTorus, ABubbleMayTouchItsOwnImages) {
   EXPECT_GT(touching, 20);
 }
 
+/// A frame may be longer than all that happens in the foam, be it a second for bubbles of a
+/// micrometre.
+TEST(SmallTorus, ComesToRestInAFrameOfAnyLength) {
+  for (const double time_step : {1e3, 1e9, 1e300}) {
+    Foam foam = on_a_square(8, 3);
+    equilibrate(foam);
+    CoarseningOptions options;
+    options.time_step = time_step;
+    const auto coarsening = make_coarsening(options);
+    coarsening->restart(foam);
+    ASSERT_TRUE(coarsening->advance({}));
+    expect_equilibrium(coarsening->foam());
+    EXPECT_LT(coarsening->foam().bubble_count(), 8);
+    for (const Bubble b : coarsening->foam().bubble_slots()) {
+      EXPECT_TRUE(!coarsening->foam().has_bubble(b) || coarsening->foam().sides[b] == 6);
+    }
+  }
+}
+
 /// The last bubble of a torus is a hexagon, whose three films join the corners of a triangle of
 /// periods to its Fermat point. With sides a, b, c and area Δ their length is √((a² + b² + c²)/2 +
 /// 2√3·Δ), and with right angles and the periods s, s, √2·s it is √(2 + √3)·s.

@@ -7,12 +7,13 @@ from xml.etree import ElementTree
 
 import numpy
 from vtkmodules.util.vtkConstants import VTK_DOUBLE
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
 from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of,
-                          set_properties, single,
-                          skewed_torus, times, with_tensions)
+                          set_properties, single, skewed_torus, times, with_tensions)
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "sample-data"
@@ -103,6 +104,34 @@ class Properties(unittest.TestCase):
 
 
 class Points(unittest.TestCase):
+    def test_their_rectangle_is_theirs_alone(self):
+        """Points that were scaled, or some of them, get the torus of points that come from elsewhere."""
+        source = vtkFoamPoints()
+        source.SetNumberOfPoints(100)
+        source.SetJitter(0)
+        source.Update()
+        grid = source.GetOutput()
+
+        def sides(points):
+            foam = vtkFoamFromPoints()
+            foam.SetInputData(points)
+            foam.SetBoundary(vtkFoamFromPoints.Periodic)
+            foam.Update()
+            xmin, xmax, ymin, ymax = column(foam.GetOutput(0).GetFieldData(), "PeriodicBounds")[0]
+            return xmax - xmin, ymax - ymin
+
+        self.assertEqual(sides(grid), (10, 10))
+        scaled, part = vtkPolyData(), vtkPolyData()
+        for data, factor, count in ((scaled, 0.9, 100), (part, 1, 90)):
+            points = vtkPoints()
+            points.SetDataTypeToDouble()
+            for i in range(count):
+                points.InsertNextPoint([factor * x for x in grid.GetPoint(i)])
+            data.SetPoints(points)
+            data.SetFieldData(grid.GetFieldData())
+        numpy.testing.assert_allclose(sides(scaled), (9, 9), rtol=1e-12)
+        numpy.testing.assert_allclose(sides(part), (10, 9), rtol=1e-12)
+
     def test_same_seed_same_points(self):
         def points(seed):
             source = vtkFoamPoints()

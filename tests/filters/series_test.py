@@ -113,6 +113,15 @@ class Series(unittest.TestCase):
         self.check(FRAMES + 1)
 
 
+class Listed(Series):
+    def test_a_file_that_is_listed_twice_is_kept(self):
+        """A series that was edited by hand to end with its first frame again goes on from frame 10."""
+        writer_of(self.coarsen, self.path).Write()
+        again = f'<DataSet timestep="{self.times[FRAMES] + 1}" part="0" file="films/films_0000.vtp"/>'
+        self.path.write_text(self.path.read_text().replace("</Collection>", again + "</Collection>"))
+        self.go_on_from(10)
+
+
 class Writing(Series):
     def test_films(self):
         self.assertEqual(writer_of(self.coarsen, self.path).Write(), 1)

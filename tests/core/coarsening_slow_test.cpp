@@ -80,7 +80,7 @@ ScalingState coarsen_to_scaling_state(std::uint64_t seed) {
 
 TEST(LongRun, TwoThousandPeriodicBubblesReachTheScalingState) {
   std::vector<ScalingState> states;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     states.push_back(coarsen_to_scaling_state(seed));
     ASSERT_FALSE(HasFailure()) << "seed " << seed;
   }

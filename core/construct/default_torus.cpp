@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 #include "construct/triangulation.h"
+#include "geometry/bounds.h"
 
 namespace foam {
 namespace {
@@ -15,29 +15,12 @@ namespace {
 constexpr double kMargin = 2; // spacings from the bounds to points that know no seam
 constexpr std::size_t kFew = 16;
 
-struct Bounds {
-  double left, right, bottom, top;
-
-  explicit Bounds(std::span<const Vec2> points) {
-    const auto x = std::ranges::minmax(points | std::views::transform(&Vec2::x));
-    const auto y = std::ranges::minmax(points | std::views::transform(&Vec2::y));
-    left = x.min;
-    right = x.max;
-    bottom = y.min;
-    top = y.max;
-  }
-  double width() const { return right - left; }
-  double height() const { return top - bottom; }
-  Lattice grown(double by) const {
-    return Lattice::rectangle(left - by, right + by, bottom - by, top + by);
-  }
-};
-
 /// By how much bounds are to grow to an area: (w + 2g)(h + 2g) = A, and not at all if they have
 /// more than that.
 double growth_to(const Bounds& bounds, double area) {
-  const double half_sum = 0.5 * (bounds.width() + bounds.height());
-  const double missing = area - bounds.width() * bounds.height();
+  const auto [width, height] = bounds.extent();
+  const double half_sum = 0.5 * (width + height);
+  const double missing = area - width * height;
   return missing > 0 ? 0.5 * missing / (half_sum + std::sqrt(half_sum * half_sum + missing)) : 0;
 }
 
@@ -45,8 +28,9 @@ double growth_to(const Bounds& bounds, double area) {
 /// point: (N − 1)·m² − (w + h)·m − w·h = 0.
 double half_spacing(const Bounds& bounds, std::size_t points) {
   const double others = static_cast<double>(points - 1);
-  const double sum = bounds.width() + bounds.height();
-  const double product = bounds.width() * bounds.height();
+  const auto [width, height] = bounds.extent();
+  const double sum = width + height;
+  const double product = width * height;
   return (sum + std::sqrt(sum * sum + 4 * others * product)) / (4 * others);
 }
 
@@ -55,8 +39,8 @@ double half_spacing(const Bounds& bounds, std::size_t points) {
 std::optional<double> inner_area(std::span<const Vec2> points, const Bounds& bounds,
                                  double margin) {
   const auto inside = [&](Vec2 p) {
-    return p.x > bounds.left + margin && p.x < bounds.right - margin &&
-           p.y > bounds.bottom + margin && p.y < bounds.top - margin;
+    return p.x > bounds.low.x + margin && p.x < bounds.high.x - margin &&
+           p.y > bounds.low.y + margin && p.y < bounds.high.y - margin;
   };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(points, inside));
   if (count < kFew) {
@@ -79,11 +63,12 @@ std::optional<double> inner_area(std::span<const Vec2> points, const Bounds& bou
 } // namespace
 
 Lattice default_torus(std::span<const Vec2> points) {
-  const Bounds bounds(points);
+  const Bounds bounds = bounds_of(points);
   const double half = half_spacing(bounds, points.size());
   const auto inner = inner_area(points, bounds, kMargin * 2 * half);
-  return bounds.grown(inner ? growth_to(bounds, *inner * static_cast<double>(points.size()))
-                            : half);
+  const double by = inner ? growth_to(bounds, *inner * static_cast<double>(points.size())) : half;
+  return Lattice::rectangle(bounds.low.x - by, bounds.high.x + by, bounds.low.y - by,
+                            bounds.high.y + by);
 }
 
 } // namespace foam

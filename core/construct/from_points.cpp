@@ -13,6 +13,7 @@
 #include "construct/default_torus.h"
 #include "construct/dual_mesh.h"
 #include "construct/triangulation.h"
+#include "geometry/bounds.h"
 
 namespace foam {
 namespace {
@@ -130,9 +131,7 @@ double covered_area(std::span<const Vec2> points, std::span<const Triangle> tria
 void check_extent(std::span<const Vec2> points, const Lattice& torus) {
   constexpr double kRounding = 1 + 1e-9;
   if (torus.is_rectangle()) {
-    const auto [left, right] = std::ranges::minmax(points | std::views::transform(&Vec2::x));
-    const auto [bottom, top] = std::ranges::minmax(points | std::views::transform(&Vec2::y));
-    const Vec2 extent{right - left, top - bottom};
+    const Vec2 extent = bounds_of(points).extent();
     if (extent.x > kRounding * torus.first.x || extent.y > kRounding * torus.second.y) {
       throw FoamError("the points extend over " + number(extent) + ", but the torus is only " +
                       number(Vec2{torus.first.x, torus.second.y}));

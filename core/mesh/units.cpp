@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
+
+#include "geometry/bounds.h"
 
 namespace foam {
 namespace {
@@ -31,36 +31,26 @@ double origin(double low, double high, double extent) {
 
 } // namespace
 
-UnitChange own_units(double spacing, double surface_tension, std::span<const Vec2> places,
-                     UnitSteps steps) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec2 low{kInfinity, kInfinity};
-  Vec2 high = -low;
-  for (const Vec2 p : places) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double extent =
-      power_of_two(std::ceil(std::log2(std::max({high.x - low.x, high.y - low.y, spacing}))));
-  UnitChange change;
-  change.length = 1 / nearest_power(spacing, steps);
-  change.tension = 1 / nearest_power(surface_tension / kThesisTension, steps);
-  change.shift =
-      -(change.length * Vec2{origin(low.x, high.x, extent), origin(low.y, high.y, extent)});
-  return change;
-}
-
 UnitChange own_units(const Foam& foam, UnitSteps steps) {
-  std::vector<Vec2> places;
+  Bounds bounds;
+  const auto include = [&](Vec2 place) { bounds = bounds + Bounds{place, place}; };
   for (const Junction j : foam.junction_slots()) {
     if (foam.has_junction(j)) {
-      places.push_back(foam.position[j]);
+      include(foam.position[j]);
     }
   }
   if (foam.surroundings.periodic()) {
-    places.push_back(foam.surroundings.lattice.origin);
+    include(foam.surroundings.lattice.origin);
   }
-  return own_units(foam.mean_spacing(), foam.surface_tension, places, steps);
+  const double spacing = foam.mean_spacing();
+  const auto [width, height] = bounds.extent();
+  const double extent = power_of_two(std::ceil(std::log2(std::max({width, height, spacing}))));
+  UnitChange change;
+  change.length = 1 / nearest_power(spacing, steps);
+  change.tension = 1 / nearest_power(foam.surface_tension / kThesisTension, steps);
+  change.shift = -(change.length * Vec2{origin(bounds.low.x, bounds.high.x, extent),
+                                        origin(bounds.low.y, bounds.high.y, extent)});
+  return change;
 }
 
 Exterior in_units(const Exterior& exterior, const UnitChange& change) {

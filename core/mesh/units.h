@@ -4,8 +4,6 @@
 // same foam.
 #pragma once
 
-#include <span>
-
 #include "mesh/foam.h"
 
 namespace foam {
@@ -36,11 +34,6 @@ enum class UnitSteps {
 /// Into units in which bubbles are about 1 across, the surface tension is about 1/4, and the foam
 /// lies near the origin if it lies far away from it. All are powers of two, or multiples of a
 /// power of two, so that going there and back changes no bit.
-/// \param spacing of the bubbles, cm. \param surface_tension γ, N/cm. \param places of the foam, cm
-UnitChange own_units(double spacing, double surface_tension, std::span<const Vec2> places,
-                     UnitSteps steps);
-
-/// The same for a foam.
 UnitChange own_units(const Foam& foam, UnitSteps steps);
 
 Exterior in_units(const Exterior& exterior, const UnitChange& change);

@@ -402,27 +402,16 @@ std::string doubt(const EquilibriumReport& given, const EquilibriumReport& found
         << "The films are said to be in equilibrium, but are not: angles are "
         << "off by up to " << found.max_angle_error << " rad, areas by up to "
         << found.max_area_error << " times their targets, the largest residual is "
-        << found.residual << ". Were they changed, by a Transform, say?";
+        << found.residual
+        << (found.residual > std::max(found.max_angle_error, found.max_area_error)
+                ? ", as the pressures do not go with the films' arcs"
+                : "")
+        << ". Were they changed, by a Transform, say?";
   return words.str();
 }
 
 double read_time(vtkPolyData* films) {
   return value_or_zero(films, "TimeValue");
-}
-
-double read_time_step(vtkPolyData* films, const CoarseningOptions& options) {
-  FoamRecord record;
-  record.time_step = value_or_zero(films, "TimeStep");
-  record.surface_tension = value_or_zero(films, "SurfaceTension");
-  double total = 0;
-  vtkDataArray* areas = films ? films->GetFieldData()->GetArray("BubbleTargetArea") : nullptr;
-  const vtkIdType count = areas ? areas->GetNumberOfTuples() : 0;
-  for (vtkIdType i = 0; i < count; ++i) {
-    total += areas->GetComponent(i, 0);
-  }
-  const double mean_area = count > 0 ? total / static_cast<double>(count) : 0;
-  const double step = time_step(options, record, mean_area);
-  return std::isfinite(step) ? step : 0;
 }
 
 std::string read_end(vtkPolyData* data) {

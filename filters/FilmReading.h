@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "coarsening/options.h"
 #include "mesh/film_set.h"
 
 class vtkPolyData;
@@ -34,10 +33,6 @@ std::string doubt(const EquilibriumReport& given, const EquilibriumReport& found
 
 /// The time (s) that films carry; 0 if they carry none.
 double read_time(vtkPolyData* films);
-
-/// The time step (s) with which films are to coarsen (coarsening/options.h); 0 if that does not
-/// follow from them.
-double read_time_step(vtkPolyData* films, const CoarseningOptions& options);
 
 /// Why the run ended whose last frame these films or bubbles are; empty if it did not.
 std::string read_end(vtkPolyData* data);

@@ -62,10 +62,10 @@ public:
   /// complete.
   void go_to(int frame, const AbortCheck& aborted, const Reached& reached);
 
-  /// Time of frame 0, s.
+  /// Frame 0.
+  const FilmSet& start() const { return start_; }
+  /// Its time, s.
   double start_time() const { return start_.time; }
-  /// Of the target areas in frame 0, cm².
-  double start_mean_area() const { return foam_of(start_).mean_area(); }
   /// Δt, s, the automatic one if that is asked for.
   double time_step() const { return coarsening_->record().time_step; }
   int frame() const { return frame_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -21,6 +22,19 @@ template <class... Parts> std::string message(const Parts&... parts) {
 /// Throws a FoamError with the parts as its message.
 template <class... Parts> [[noreturn]] void fail(const Parts&... parts) {
   throw FoamError(message(parts...));
+}
+
+/// Says that target areas of this sum (cm²) were scaled to fill a torus or a container; nothing
+/// where that is by their own rounding alone.
+inline std::string told_scaling(double sum, double scale) {
+  constexpr double kUntold = 1e-6;
+  if (std::abs(scale - 1) <= kUntold) {
+    return {};
+  }
+  std::ostringstream out;
+  out << "The target areas add up to " << sum << ", but have to fill " << scale * sum
+      << ": they were scaled by " << scale << ".";
+  return out.str();
 }
 
 } // namespace foam::filters

@@ -20,7 +20,9 @@
 #include "Message.h"
 #include "PipelineRequest.h"
 #include "coarsening/end.h"
+#include "mesh/filling.h"
 #include "physics/equilibrium_measures.h"
+#include "physics/measured_targets.h"
 
 vtkStandardNewMacro(vtkFoamCoarsen);
 
@@ -28,9 +30,14 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace {
 
+using foam::filters::message;
+
 /// A frame is shown at times that are earlier than its own by less than this, in time steps: what
 /// rounding may take from a time on its way through a user interface.
 constexpr double TIME_TOLERANCE = 1e-6;
+
+/// What to do about target areas of films that were changed.
+constexpr const char* TAKE_MEASURED = "TargetAreas Measured takes the areas that are there";
 
 /// Announces the times of the frames.
 void Offer(const std::vector<double>& times, vtkInformationVector* outputs) {
@@ -72,6 +79,14 @@ struct vtkFoamCoarsen::Simulation {
 };
 
 struct vtkFoamCoarsen::Settings : foam::filters::FoamTimeline::Settings {};
+
+/// What a run is to begin with.
+struct vtkFoamCoarsen::Start {
+  foam::FilmSet Films;
+  double MeanArea = 0; ///< of the bubbles' targets, cm²
+  std::string Doubt;   ///< what is wrong with what the films say of themselves
+  vtkTimeStamp Read;
+};
 
 using ThisClass = vtkFoamCoarsen;
 
@@ -181,15 +196,14 @@ vtkFoamCoarsen::Settings vtkFoamCoarsen::GetSettings() const {
 }
 
 /// That with which the input is to coarsen, s; 0 if it does not follow from it.
-double vtkFoamCoarsen::ReadTimeStep(vtkPolyData* input) const {
+double vtkFoamCoarsen::ReadTimeStep(vtkPolyData* input) {
   const foam::CoarseningOptions& options = this->Options->coarsening;
-  if (this->TargetAreas == FromFilms || options.time_step > 0) {
-    return foam::filters::read_time_step(input, options);
+  if (options.time_step > 0) {
+    return options.time_step;
   }
   try {
-    foam::FilmSet films = foam::filters::read_films(input);
-    this->Measure(films, input);
-    return foam::time_step(options, films, foam::foam_of(films).mean_area());
+    const Start& start = this->ReadStart(input);
+    return foam::time_step(options, start.Films, start.MeanArea);
   } catch (const std::exception&) {
     return 0; // the request for data tells
   }
@@ -206,11 +220,11 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
 
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
   if (!this->RunIsOf(settings, input)) {
-    auto films = foam::filters::read_films(input);
-    const std::string doubt = this->Measure(films, input);
-    if (!this->Run || !this->Run->Timeline.is_of(films, settings)) {
+    this->ReadStart(input);
+    const std::unique_ptr<Start> begin = std::move(this->Next);
+    if (!this->Run || !this->Run->Timeline.is_of(begin->Films, settings)) {
       this->Run.reset();
-      auto run = std::make_unique<Simulation>(std::move(films), settings);
+      auto run = std::make_unique<Simulation>(std::move(begin->Films), settings);
       const double start = run->Timeline.start_time();
       const double timeStep = run->Timeline.time_step();
       if (!TimeCanPass(start, timeStep)) {
@@ -218,14 +232,11 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
       }
       this->Run = std::move(run);
       this->WarnOfLargeThresholds();
-      if (doubt.empty()) {
+      if (begin->Doubt.empty()) {
         this->WarnIfNotConverged();
       } else {
         this->Run->CheckedFrame = 0;
-        vtkWarningMacro(<< doubt
-                        << (this->TargetAreas == FromFilms
-                                ? " TargetAreas Measured takes the areas that are there as targets."
-                                : ""));
+        vtkWarningMacro(<< begin->Doubt);
       }
       if (const std::string end = foam::filters::read_end(input); !end.empty()) {
         vtkWarningMacro("The input is the last foam of a run that ended: "
@@ -238,20 +249,52 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
   this->Run->Timeline.limit_memory(static_cast<std::size_t>(this->KeyframeMemory) << 20);
 }
 
-/// Finds out what films are like. \returns what is wrong with what they say of themselves
-std::string vtkFoamCoarsen::Measure(foam::FilmSet& films, vtkPolyData* input) const {
-  foam::Foam foam = foam::filters::checked_foam(films);
-  if (this->TargetAreas == Measured) {
-    for (const foam::Bubble b : foam.bubble_slots()) {
-      foam.target_area[b] = foam.area(b);
-      films.bubbles[b.place()].target_area = foam.target_area[b];
-    }
-    films.time_step = 0; // those that went with other areas
-    films.thresholds = {};
+/// What a run of the input begins with, read and measured.
+/// \throws FoamError if it is no foam, or its target areas do not fill its space.
+const vtkFoamCoarsen::Start& vtkFoamCoarsen::ReadStart(vtkPolyData* input) {
+  if (this->Next && this->Next->Read > input->GetMTime() && this->Next->Read > this->GetMTime()) {
+    return *this->Next;
   }
-  const foam::EquilibriumReport given = films.report;
-  films.report = foam::confirmed(given, foam, foam::filters::coordinate_rounding(input));
-  return foam::filters::doubt(given, films.report);
+  this->Next.reset();
+  auto start = std::make_unique<Start>();
+  start->Films = foam::filters::read_films(input);
+  foam::Foam foam = foam::filters::checked_foam(start->Films);
+  const double rounding = foam::filters::coordinate_rounding(input);
+  foam::EquilibriumReport said = foam.report;
+  std::string scaled;
+  if (this->TargetAreas == Measured) {
+    foam::take_measured_targets(foam);
+    said = this->OfMeasuredTargets(said, foam);
+    foam.time_step = 0; // those that went with other areas
+    foam.thresholds = {};
+  } else if (!foam::holds(said, foam, rounding)) {
+    const double sum = foam.bubble_count() * foam.mean_area();
+    scaled = foam::filters::told_scaling(
+        sum, foam::fill_space(foam, foam::kMeasuredAreas, TAKE_MEASURED));
+  }
+  foam.report = foam::confirmed(said, foam, rounding);
+  start->Doubt = foam::filters::doubt(said, foam.report);
+  if (!start->Doubt.empty() && this->TargetAreas == FromFilms) {
+    start->Doubt += message(" ", TAKE_MEASURED, ".");
+  }
+  start->Doubt += message(start->Doubt.empty() ? "" : " ", scaled);
+  start->Films = foam::film_set(foam);
+  start->MeanArea = foam.mean_area();
+  start->Read.Modified();
+  this->Next = std::move(start);
+  return *this->Next;
+}
+
+/// What films can be held to have said of themselves whose areas are their targets now, and whose
+/// pressures were fitted.
+foam::EquilibriumReport vtkFoamCoarsen::OfMeasuredTargets(foam::EquilibriumReport said,
+                                                          const foam::Foam& foam) {
+  said.max_area_error = 0;
+  const double residual = foam::measured_report(foam).residual;
+  if (residual <= this->GetTolerance()) {
+    said.residual = std::max(said.residual, residual);
+  }
+  return said;
 }
 
 void vtkFoamCoarsen::AdvanceTo(int frame) {
@@ -282,13 +325,12 @@ void vtkFoamCoarsen::AdvanceTo(int frame) {
 void vtkFoamCoarsen::WarnOfLargeThresholds() {
   constexpr double LARGEST_LENGTH = 0.2; // of the root of the bubbles' mean area
   constexpr double LARGEST_AREA = 0.1;   // of their mean area
-  const foam::ThresholdOptions& thresholds = this->Options->coarsening.thresholds;
-  const double area = this->Run->Timeline.start_mean_area();
-  if (thresholds.kind == foam::ThresholdKind::Absolute &&
-      (thresholds.t1_length > LARGEST_LENGTH * std::sqrt(area) ||
-       thresholds.t2_area > LARGEST_AREA * area)) {
+  const foam::Foam start = foam::foam_of(this->Run->Timeline.start());
+  const double area = start.mean_area();
+  const auto [length, smallest] = foam::thresholds(start, this->Options->coarsening.thresholds);
+  if (length > LARGEST_LENGTH * std::sqrt(area) || smallest > LARGEST_AREA * area) {
     vtkWarningMacro("The thresholds are not small beside the bubbles: T1Length is "
-                    << thresholds.t1_length << " cm, T2Area " << thresholds.t2_area
+                    << length << " cm, T2Area " << smallest
                     << " cm², but the bubbles' mean area is " << area << " cm², its root "
                     << std::sqrt(area) << " cm. Thresholds Automatic takes a hundredth of each.");
   }

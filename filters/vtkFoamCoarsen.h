@@ -12,7 +12,9 @@
  * one time step is taken, the last or the first. A run that begins with the films of a keyframe
  * continues with the bits of the uninterrupted run; from any other frame it continues to within the
  * tolerance. What films say of their equilibrium is measured: where it does not hold, because they
- * were transformed, say, there is a warning, and Converged = 0.
+ * were transformed, say, there is a warning, and Converged = 0. On a torus and in a container
+ * target areas of such films that do not fill it are scaled by up to 1 %, with a warning; more is
+ * an error.
  *
  * Output port 0, films, and port 1, bubbles, are those of vtkFoamFromPoints. A frame that did not
  * reach equilibrium is warned about and has Converged = 0. When a bubble would vanish that
@@ -32,7 +34,6 @@
 #define vtkFoamCoarsen_h
 
 #include <memory> // for the options and the simulation
-#include <string> // for what is wrong with films
 #include <vector> // for times
 
 #include "vtkFoamEquilibratingAlgorithm.h"
@@ -41,7 +42,8 @@ class vtkPolyData;
 
 #ifndef __VTK_WRAP__
 namespace foam {
-struct FilmSet;
+struct EquilibriumReport;
+struct Foam;
 } // namespace foam
 #endif
 
@@ -74,7 +76,8 @@ public:
   ///@{
   /**
    * Whether the target areas are those that the films carry (FromFilms, default), or the areas that
-   * their bubbles have (Measured).
+   * their bubbles have (Measured). With these, pressures are scaled to go with the films' arcs, so
+   * that a foam that was scaled goes on as the same foam.
    */
   vtkSetClampMacro(TargetAreas, int, FromFilms, Measured);
   vtkGetMacro(TargetAreas, int);
@@ -201,6 +204,7 @@ private:
 
   struct Settings;
   struct Simulation;
+  struct Start;
 
   Settings GetSettings() const;
   void RequestStart(vtkInformation* input) const;
@@ -208,12 +212,13 @@ private:
   void PrepareSimulation(vtkInformationVector** inputs);
 #ifndef __VTK_WRAP__
   bool LeaveOutAfterEnd(std::vector<double>& times) const;
-  std::string Measure(foam::FilmSet& films, vtkPolyData* input) const;
+  foam::EquilibriumReport OfMeasuredTargets(foam::EquilibriumReport said, const foam::Foam& foam);
 #endif
   void AdvanceTo(int frame);
   void WarnIfNotConverged();
   void WarnOfLargeThresholds();
-  double ReadTimeStep(vtkPolyData* input) const;
+  double ReadTimeStep(vtkPolyData* input);
+  const Start& ReadStart(vtkPolyData* input);
 
   int StartFrom = Last;
   double StartTime = 0;
@@ -221,6 +226,7 @@ private:
   int NumberOfFrames = 300;
   int KeyframeMemory = 256;
   std::unique_ptr<Settings> Options;
+  std::unique_ptr<Start> Next; ///< what has been read and not been run yet
   std::unique_ptr<Simulation> Run;
 };
 

@@ -36,9 +36,6 @@ using foam::filters::fail;
 /// Largest difference in z, relative to the extents in x and y.
 constexpr double PLANE_TOLERANCE = 1e-9;
 
-/// Part of target areas that they may be scaled by without a word.
-constexpr double UNTOLD_SCALING = 1e-6;
-
 /// T1 threshold of the first equilibration, in mean spacings.
 constexpr double T1_LENGTH = 0.05;
 
@@ -220,10 +217,9 @@ void vtkFoamFromPoints::WarnIfScaled(const foam::Foam& foam, const foam::BuildOp
     return;
   }
   const double sum = std::accumulate(given.begin(), given.end(), 0.0);
-  const double scale = std::accumulate(foam.target_area.begin(), foam.target_area.end(), 0.0) / sum;
-  if (std::abs(scale - 1) > UNTOLD_SCALING) {
-    vtkWarningMacro("The target areas add up to " << sum << ", but have to fill " << scale * sum
-                                                  << ": they were scaled by " << scale << ".");
+  const double filled = std::accumulate(foam.target_area.begin(), foam.target_area.end(), 0.0);
+  if (const auto told = foam::filters::told_scaling(sum, filled / sum); !told.empty()) {
+    vtkWarningMacro(<< told);
   }
 }
 

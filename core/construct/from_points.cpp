@@ -14,6 +14,7 @@
 #include "construct/dual_mesh.h"
 #include "construct/triangulation.h"
 #include "geometry/bounds.h"
+#include "mesh/filling.h"
 
 namespace foam {
 namespace {
@@ -209,50 +210,27 @@ Foam build_on_plane(std::span<const Vec2> points, Boundary boundary, double fin_
   return foam;
 }
 
-/// Given areas, scaled to fill the space to the last digit. \param slack by how much at most
-Field<Bubble, double> fitted(Field<Bubble, double> areas, double space, double slack,
-                             const std::string& name) {
-  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
-  if (!(std::abs(sum - space) <= slack * space)) {
-    throw FoamError("the target areas add up to " + number(sum) + ", but the area of the " + name +
-                    " is " + number(space));
-  }
-  for (double& area : areas) {
-    area *= space / sum;
-  }
-  return areas;
-}
-
-Field<Bubble, double> target_areas(const Foam& foam, const BuildOptions& options) {
-  Field<Bubble, double> initial(foam.bubble_half.size());
+void take_target_areas(Foam& foam, const BuildOptions& options) {
+  foam.target_area.resize(foam.bubble_half.size());
   for (const Bubble b : foam.bubble_slots()) {
-    initial[b] = foam.area(b);
-    if (!positive(initial[b])) {
+    foam.target_area[b] = foam.area(b);
+    if (!positive(foam.target_area[b])) {
       throw FoamError("the initial area of bubble " + to_string(b.index()) + " is " +
-                      number(initial[b]));
+                      number(foam.target_area[b]));
     }
   }
-  const double total = std::accumulate(initial.begin(), initial.end(), 0.0);
-  Field<Bubble, double> given(options.target_area_array.begin(), options.target_area_array.end());
   switch (options.target_areas) {
   case TargetAreas::Initial:
-    return initial;
+    break;
   case TargetAreas::Uniform:
-    return Field<Bubble, double>(initial.size(), total / static_cast<double>(initial.size()));
+    std::ranges::fill(foam.target_area, foam.mean_area());
+    break;
   case TargetAreas::Array:
+    std::ranges::copy(options.target_area_array, foam.target_area.begin());
+    fill_space(foam, options.fit_areas ? std::numeric_limits<double>::infinity() : kMeasuredAreas,
+               "FitAreas scales them, whatever they add up to");
     break;
   }
-  constexpr double kMeasured = 0.01; // to which areas may be off that were measured
-  const double slack = options.fit_areas ? std::numeric_limits<double>::infinity() : kMeasured;
-  switch (options.boundary) {
-  case Boundary::Periodic:
-    return fitted(given, foam.surroundings.lattice.area(), slack, "torus");
-  case Boundary::Fixed:
-    return fitted(given, total, slack, "container");
-  case Boundary::Free:
-    break;
-  }
-  return given;
 }
 
 } // namespace
@@ -264,7 +242,7 @@ Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options
                   ? build_on_torus(points, options)
                   : build_on_plane(points, options.boundary, options.fin_size);
   foam.surface_tension = options.surface_tension;
-  foam.target_area = target_areas(foam, options);
+  take_target_areas(foam, options);
   return foam;
 }
 

@@ -83,14 +83,20 @@ EquilibriumReport measured_report(const Foam& foam) {
   return report;
 }
 
-EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, double rounding) {
+bool holds(const EquilibriumReport& report, const Foam& foam, double rounding) {
   // A part that was said to be off by so much; what remains are the last digits of measuring.
-  const auto holds = [](double measured, double said) { return measured <= 1.01 * said + 1e-12; };
+  const auto explained = [](double measured, double said) {
+    return measured <= 1.01 * said + 1e-12;
+  };
   const double said_in_all =
       std::max({report.max_angle_error, report.max_area_error, report.residual});
-  const bool explained = holds(worst_angle(foam, rounding), report.max_angle_error) &&
-                         holds(worst_area(foam, rounding), report.max_area_error) &&
-                         holds(worst_curvature(foam, rounding), said_in_all);
+  return explained(worst_angle(foam, rounding), report.max_angle_error) &&
+         explained(worst_area(foam, rounding), report.max_area_error) &&
+         explained(worst_curvature(foam, rounding), said_in_all);
+}
+
+EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, double rounding) {
+  const bool explained = holds(report, foam, rounding);
   const auto near = [](double measured, double said) {
     return measured <= 1.01 * said + 1e-7 && measured >= 0.99 * said - 1e-9;
   };

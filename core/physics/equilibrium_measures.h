@@ -59,9 +59,12 @@ double max_curvature_error(const Foam& foam);
 /// How far a foam is from equilibrium, found by measuring it. Nobody has said that it converged.
 EquilibriumReport measured_report(const Foam& foam);
 
-/// A report of a foam, if it is true: if the foam's angles, areas and curvatures are no further off
-/// than it says and than they can be by rounding. Otherwise what is measured, not `converged`.
-/// \param rounding of a coordinate, cm
+/// Whether a report of a foam is true: whether its angles, areas and curvatures are no further off
+/// than it says and than they can be by rounding. \param rounding of a coordinate, cm
+bool holds(const EquilibriumReport& report, const Foam& foam, double rounding);
+
+/// A report of a foam, if it holds and is near what is measured. Otherwise what is measured, not
+/// `converged` unless rounding explains it. \param rounding of a coordinate, cm
 EquilibriumReport confirmed(const EquilibriumReport& report, const Foam& foam, double rounding);
 
 } // namespace foam

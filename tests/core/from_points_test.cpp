@@ -252,8 +252,10 @@ TEST(FromPoints, GivenTargetAreasMustFillTheTorus) {
   EXPECT_NEAR(total(foam.target_area), 4, 1e-15);
   EXPECT_NEAR(foam.target_area[Bubble(3)] / foam.target_area[Bubble(0)], 2 * (2 + 1e-6), 1e-14);
   options.target_area_array[3] = 2.25;
-  EXPECT_EQ(error_of(points, options),
-            "the target areas add up to 4.25, but the area of the torus is 4");
+  EXPECT_EQ(
+      error_of(points, options),
+      "the target areas add up to 4.25, but the area of the torus is 4: FitAreas scales them, "
+      "whatever they add up to");
 }
 
 TEST(FromPoints, GivenTargetAreasMustFillTheContainer) {

@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
-from foam_testing import (Messages, array_of, copy, foam_of_points, points_of, set_properties, write)
+from foam_testing import (Messages, array_of, column, copy, foam_of_points, points_of, set_properties, write)
 
 NAN = math.nan
 SQUARE = [(0, 0), (1, 0.1), (0.2, 1.1), (1.3, 1.2), (2.2, 0.3)]
@@ -234,6 +234,22 @@ class Coarsening(Rejecting):
             coarsen.SetThresholds(vtkFoamCoarsen.Relative)
             coarsen.SetAlpha(value)
             self.rejects(coarsen, "Alpha", str(value))
+
+    def test_thresholds_that_are_not_small(self):
+        """Absolute or Relative, they warn: films a fifth as long as the root of the mean area."""
+        area = column(self.films.GetFieldData(), "BubbleTargetArea").mean()
+        for name, value in (("T1Length", area**0.5), ("T2Area", area), ("Alpha", 0.5 ** 0.5)):
+            for factor, told in ((0.01, 0), (0.99, 1)):
+                coarsen = vtkFoamCoarsen()
+                coarsen.SetInputData(self.films)
+                set_properties(coarsen, {"T1Length": 0, "T2Area": 0, name: factor * value, "Thresholds": (
+                    vtkFoamCoarsen.Relative if name == "Alpha" else vtkFoamCoarsen.Absolute)})
+                messages = Messages(coarsen)
+                coarsen.Update()
+                self.assertEqual((messages.errors, len(messages.warnings)), ([], told), messages.warnings)
+                for text in messages.warnings:
+                    self.assertIn("not small", text)
+                    self.assertIn(f"{area:.6g}", text)
 
     def test_newton_from_event_to_event_on_a_gpu(self):
         coarsen = vtkFoamCoarsen()

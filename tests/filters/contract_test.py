@@ -385,6 +385,7 @@ class Arrays(unittest.TestCase):
                     for text in messages.errors:
                         self.assertIn(f"{total:.3f}"[:5], text)
                         self.assertIn(f"{space:.3f}"[:5], text)
+                        self.assertIn("FitAreas", text)
                     for text in messages.warnings:
                         self.assertIn(f"scaled by {1 / (1 + off):.6g}", text)
                     if not refused:

@@ -2,6 +2,7 @@
 """What films say of their equilibrium is measured: after they were changed it no longer holds."""
 
 import random
+import re
 import unittest
 
 import numpy
@@ -140,21 +141,27 @@ class Changed(Measuring):
         self.assertEqual(single(shown, "MaxAngleError"), row["MaxAngleError"])
 
     def test_other_pressures(self):
+        """They are named where they are what is off."""
         films = copy(self.films["Free"])
         pressure = films.GetFieldData().GetArray("BubblePressure")
         pressure.SetValue(3, 1.01 * pressure.GetValue(3))
-        self.assertEqual(len(self.statistics(films)[1]), 1)
+        warnings = self.statistics(films)[1]
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("pressures", warnings[0])
         self.assertEqual(single(self.start(films)[0], "Converged"), 0)
+        scaled = transformed(self.films["Free"], lambda t: t.Scale(2, 2, 1)) # areas are further off
+        self.assertNotIn("pressures", self.statistics(scaled)[1][0])
 
     def test_targets(self):
-        """FromFilms, the foam shrinks to what it was; Measured, it keeps its areas."""
+        """FromFilms, the foam shrinks to what it was; Measured, it keeps its areas and its equilibrium."""
         films = transformed(self.films["Free"], lambda t: t.Scale(1.5, 1.5, 1))
         for targets, scale in ((vtkFoamCoarsen.FromFilms, 1), (vtkFoamCoarsen.Measured, 2.25)):
             shown, coarsen, warnings = self.start(films, TargetAreas=targets, Permeability=0)
             expected = scale * column(self.films["Free"].GetFieldData(), "BubbleTargetArea")
             numpy.testing.assert_allclose(column(shown.GetFieldData(), "BubbleTargetArea"), expected, rtol=1e-8)
-            self.assertEqual(len(warnings), 1, warnings)
-            self.assertEqual("TargetAreas" in warnings[0], targets == vtkFoamCoarsen.FromFilms)
+            kept = targets == vtkFoamCoarsen.Measured
+            self.assertEqual([("TargetAreas Measured" in text) for text in warnings], [] if kept else [True])
+            self.assertEqual(single(shown, "Converged"), kept)
             after, bubbles = go_to(coarsen, 1)
             self.assertEqual(single(after, "Converged"), 1)
             self.assertEqual(single(after, "TimeValue"), times(coarsen)[1])
@@ -171,6 +178,93 @@ class Changed(Measuring):
         go_to(coarsen, 1)
         coarsen.SetTargetAreas(vtkFoamCoarsen.FromFilms)
         self.assertEqual(differences(go_to(coarsen, 1)[0], first), [])
+
+
+    def test_measured_in_another_size(self):
+        """It goes on as the same foam: lengths times s, areas and times times s², pressures over s."""
+        expected, bubbles = go_to(coarsening_of(self.films["Free"], TargetAreas=vtkFoamCoarsen.Measured), 20)
+        areas = column(bubbles.GetCellData(), "Area")
+        events = [single(expected, name) for name in ("T1Count", "T2Count", "T3Count")]
+        self.assertGreater(sum(events), 0)
+        for scale in (1e3, 30, 1e-3):
+            films = transformed(self.films["Free"], lambda t: t.Scale(scale, scale, 1))
+            films.GetFieldData().GetArray("TimeValue").SetValue(0, 0)
+            coarsen = coarsening_of(films, TargetAreas=vtkFoamCoarsen.Measured)
+            messages = Messages(coarsen)
+            after, bubbles = go_to(coarsen, 20)
+            self.assertEqual(messages.errors + messages.warnings, [])
+            self.assertEqual([single(after, name) for name in ("T1Count", "T2Count", "T3Count")], events)
+            numpy.testing.assert_allclose(column(bubbles.GetCellData(), "Area"), scale**2 * areas, rtol=1e-8)
+            self.assertAlmostEqual(single(after, "TimeStep") / (scale**2 * single(expected, "TimeStep")), 1, 9)
+            numpy.testing.assert_allclose(column(after.GetFieldData(), "BubblePressure"),
+                                          column(expected.GetFieldData(), "BubblePressure") / scale, rtol=1e-7)
+
+
+def with_targets(films, factor):
+    """Films whose target areas were multiplied."""
+    result = copy(films)
+    areas = column(result.GetFieldData(), "BubbleTargetArea")
+    areas *= factor
+    return result
+
+
+class Closed(Measuring):
+    """Target areas have to fill a torus or a container."""
+
+    def check(self, films, space, off):
+        """That targets which are off by a part of the space are scaled with a word or refused."""
+        if abs(off) > 0.01:
+            coarsen = coarsening_of(films)
+            messages = Messages(coarsen)
+            coarsen.Update()
+            self.assertEqual((len(messages.errors), messages.warnings), (1, []))
+            text = messages.errors[0]
+            self.assertIn("TargetAreas Measured", text)
+            sums = [float(number) for number in re.findall(r"(?:add up to|is) ([\d.]+)", text)]
+            numpy.testing.assert_allclose(sums, [space * (1 + off), space], rtol=1e-9)
+        else:
+            shown, coarsen, warnings = self.start(films, Permeability=0)
+            self.assertEqual(len(warnings), 1)
+            self.assertIn(f"scaled by {1 / (1 + off):.6g}", warnings[0])
+            offered = times(coarsen)
+            after, bubbles = go_to(coarsen, 1)
+            self.assertEqual(times(coarsen), offered)
+            self.assertAlmostEqual(column(bubbles.GetCellData(), "Area").sum() / space, 1, 9)
+            self.assertEqual(single(after, "Converged"), 1)
+        self.check_measured(films)
+
+    def check_measured(self, films):
+        shown, _, warnings = self.start(films, TargetAreas=vtkFoamCoarsen.Measured)
+        self.assertEqual((single(shown, "Converged"), warnings), (1, []))
+
+    def test_container_scaled(self):
+        space = column(self.films["Fixed"].GetFieldData(), "BubbleTargetArea").sum()
+        for scale in (1.3, 1.006, 1.002, 0.998, 0.5):
+            films = transformed(self.films["Fixed"], lambda t: t.Scale(scale, scale, 1))
+            self.check(films, space * scale**2, scale**-2 - 1)
+
+    def test_targets_changed(self):
+        for boundary in ("Periodic", "Fixed"):
+            space = column(self.films[boundary].GetFieldData(), "BubbleTargetArea").sum()
+            for off in (-0.3, -0.004, 0.0099, 0.011, 100):
+                self.check(with_targets(self.films[boundary], 1 + off), space, off)
+
+    def test_rounded_targets(self):
+        """As of a file with eight digits."""
+        for boundary in ("Periodic", "Fixed"):
+            _, _, warnings = self.start(with_targets(self.films[boundary], 1 + 1e-8))
+            self.assertEqual(warnings, [])
+
+    def test_frames_of_the_thesis_method(self):
+        """Which lets sums drift, and says so."""
+        foam = foam_of_points(40, Boundary=vtkFoamFromPoints.Periodic)
+        films, _ = go_to(coarsening_of(foam, Equilibrator=vtkFoamCoarsen.Junction), 60)
+        drift = column(films.GetFieldData(), "BubbleTargetArea").sum() / 40 - 1
+        self.assertGreater(abs(drift), 1e-6)
+        coarsen = coarsening_of(films, Equilibrator=vtkFoamCoarsen.Junction)
+        resumed, _ = go_to(coarsen, 0)
+        numpy.testing.assert_array_equal(column(resumed.GetFieldData(), "BubbleTargetArea"),
+                                         column(films.GetFieldData(), "BubbleTargetArea"))
 
 
 class Torus(Measuring):

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/filling.h"
+
+#include <cmath>
+
+#include "base/error.h"
+
+namespace foam {
+
+double fill_space(Foam& foam, double slack, const std::string& remedy) {
+  if (!foam.surroundings.closed()) {
+    return 1;
+  }
+  double targets = 0;
+  double covered = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    if (foam.has_bubble(b)) {
+      targets += foam.target_area[b];
+      covered += foam.area(b);
+    }
+  }
+  const bool torus = foam.surroundings.periodic();
+  const double space = torus ? foam.surroundings.lattice.area() : covered;
+  if (!(std::abs(targets - space) <= slack * space) || !std::isfinite(targets)) {
+    throw FoamError("the target areas add up to " + number(targets) + ", but the area of the " +
+                    (torus ? "torus" : "container") + " is " + number(space) + ": " + remedy);
+  }
+  for (double& area : foam.target_area) {
+    area *= space / targets;
+  }
+  return space / targets;
+}
+
+} // namespace foam

@@ -49,8 +49,8 @@ void link(const std::filesystem::path& file, const std::filesystem::path& name) 
 
 } // namespace
 
-FrameSeries::FrameSeries(std::filesystem::path index, double first_time, bool append)
-    : index_(std::move(index)), folder_(index_.parent_path()),
+FrameSeries::FrameSeries(const std::filesystem::path& index, double first_time, bool append)
+    : index_(followed(index)), folder_(index_.parent_path()),
       replaced_at_(append ? first_time : std::numeric_limits<double>::infinity()),
       in_place_(!std::filesystem::exists(index_)) {
   std::filesystem::create_directories(folder_ / index_.stem());
@@ -71,6 +71,13 @@ FrameSeries::FrameSeries(std::filesystem::path index, double first_time, bool ap
       throw;
     }
   }
+}
+
+std::filesystem::path FrameSeries::followed(const std::filesystem::path& index) {
+  if (std::filesystem::is_directory(index)) {
+    fail("cannot write ", index.string(), ": it is a folder");
+  }
+  return std::filesystem::exists(index) ? std::filesystem::canonical(index) : index;
 }
 
 void FrameSeries::add(double time, std::string_view vtp) {
@@ -186,7 +193,13 @@ std::vector<FrameSeries::Frame> FrameSeries::read(const std::filesystem::path& i
     if (!file || !element->GetScalarAttribute("timestep", time)) {
       fail(index.string(), " lists a frame, number ", i, ", without time or file");
     }
-    frames.push_back({time, file});
+    Frame& frame = frames.emplace_back(Frame{time, file});
+    for (int k = 0; k < element->GetNumberOfAttributes(); ++k) {
+      const std::string name = element->GetAttributeName(k);
+      if (name != "timestep" && name != "file") {
+        frame.attributes.emplace_back(name, element->GetAttributeValue(k));
+      }
+    }
   }
   return frames;
 }
@@ -203,6 +216,9 @@ std::string FrameSeries::listing(const std::vector<Frame>& frames) {
     vtkNew<vtkXMLDataElement> element;
     element->SetName("DataSet");
     element->SetAttribute("timestep", decimal(frame.time).c_str());
+    for (const auto& [name, value] : frame.attributes) {
+      element->SetAttribute(name.c_str(), value.c_str());
+    }
     element->SetAttribute("file", frame.file.c_str());
     collection->AddNestedElement(element);
   }

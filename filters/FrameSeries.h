@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace foam::filters {
@@ -19,8 +20,9 @@ class FrameSeries {
 public:
   /// Begins to write a series, anew or, if `append`, after those frames of the one that is there
   /// which are earlier than `first_time` (s). The others are given up.
-  /// \throws FoamError for a .pvd that cannot be read but is to be continued; std::system_error.
-  FrameSeries(std::filesystem::path index, double first_time, bool append);
+  /// \throws FoamError for a .pvd that is a folder, or cannot be read but is to be continued;
+  /// std::system_error. Where the .pvd is a link, what it leads to is the series.
+  FrameSeries(const std::filesystem::path& index, double first_time, bool append);
 
   /// Adds a frame: the content of its .vtp, and its time (s).
   /// \throws std::system_error; the series is then as it was.
@@ -32,6 +34,9 @@ public:
   /// and has not yet stays. \returns whether it is in its place. \throws std::system_error
   bool finish(bool whole);
 
+  /// Whether it is to replace another, and has not yet.
+  bool waits() const { return !in_place_; }
+
   /// What lists the series until it is in its place.
   std::filesystem::path unfinished_index() const;
 
@@ -39,8 +44,10 @@ private:
   struct Frame {
     double time;
     std::string file; ///< relative to the .pvd's folder
+    std::vector<std::pair<std::string, std::string>> attributes{}; ///< others: part, group, name
   };
 
+  static std::filesystem::path followed(const std::filesystem::path& index);
   static std::vector<Frame> read(const std::filesystem::path& index);
   static std::string listing(const std::vector<Frame>& frames);
   void take_place(std::vector<Frame> frames);

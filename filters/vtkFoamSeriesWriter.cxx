@@ -85,6 +85,9 @@ struct vtkFoamSeriesWriter::Loop {
 
   std::vector<double> Times;
   std::size_t Next = 0;
+  std::size_t Empty = 0; ///< steps without a foam so far
+  double FirstEmpty = 0; ///< time of the first, s
+  bool LastEmpty = false;
   std::optional<foam::filters::FrameSeries> Series;
 };
 
@@ -192,8 +195,12 @@ vtkSmartPointer<vtkPolyData> vtkFoamSeriesWriter::WholeFrame() {
 
 void vtkFoamSeriesWriter::WriteFrame(vtkPolyData* frame) {
   auto& loop = *this->Present;
-  if (!frame || frame->GetNumberOfCells() == 0) {
-    foam::filters::fail("there is no foam to write to ", this->FileName);
+  loop.LastEmpty = !frame || frame->GetNumberOfCells() == 0;
+  if (loop.LastEmpty) {
+    if (loop.Empty++ == 0 && loop.Next < loop.Times.size()) {
+      loop.FirstEmpty = loop.Times[loop.Next];
+    }
+    return;
   }
   vtkPolyData* const input = vtkPolyData::SafeDownCast(this->GetInput());
   const double time = TimeOf(input->GetNumberOfCells() > 0 ? input : frame);
@@ -214,11 +221,25 @@ void vtkFoamSeriesWriter::WriteFrame(vtkPolyData* frame) {
 
 void vtkFoamSeriesWriter::FinishSeries() {
   auto& loop = *this->Present;
-  if (!loop.Series) {
-    return;
-  }
   this->Try([&] {
-    if (!loop.Series->finish(loop.Done())) {
+    if (!loop.Series) {
+      if (loop.Empty > 0) {
+        foam::filters::fail("there is no foam to write to ", this->FileName);
+      }
+      return;
+    }
+    const std::string left_out = foam::filters::message(
+        loop.Empty, " of ", loop.Times.size(), " time steps have no foam, the first at ",
+        loop.FirstEmpty, " s: they are left out of ", this->FileName);
+    // Where the last has none, the input may have failed.
+    const bool whole = loop.Done() && !loop.LastEmpty;
+    if (loop.Empty > 0 && !whole && loop.Series->waits()) {
+      this->SetErrorCode(vtkErrorCode::PrematureEndOfFileError);
+      vtkErrorMacro(<< left_out);
+    } else if (loop.Empty > 0) {
+      vtkWarningMacro(<< left_out);
+    }
+    if (!loop.Series->finish(whole)) {
       vtkWarningMacro(<< this->FileName << " is as it was, because not all of what is to replace it"
                       << " was written: " << loop.Series->unfinished_index().string()
                       << " lists what was.");

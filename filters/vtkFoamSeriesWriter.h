@@ -14,6 +14,9 @@
  * that is continued lists the new frames from when they take the place of those given up. No file
  * is overwritten.
  *
+ * A time step that has no foam is left out, with a warning. Where the last has none, as from an
+ * input that failed, a series that is there already is not replaced, and that is an error.
+ *
  * Of several processes the first writes, the pieces of all.
  *
  * @sa vtkFoamCoarsen vtkXMLPolyDataWriter

@@ -122,6 +122,28 @@ class Listed(Series):
         self.go_on_from(10)
 
 
+    def test_what_entries_say_is_kept(self):
+        writer_of(self.coarsen, self.path).Write()
+        said = 'group="g" part="3" name="a &amp; b" '
+        self.path.write_text(self.path.read_text().replace("file=", said + "file="))
+        self.go_on_from(10)
+        listed = ElementTree.parse(self.path).getroot().findall("./Collection/DataSet")
+        kept = [(e.get("group"), e.get("part"), e.get("name")) for e in listed]
+        self.assertEqual(kept, 10 * [("g", "3", "a & b")] + (FRAMES - 9) * [(None, None, None)])
+
+    def test_a_link(self):
+        """What it leads to is written, and continued."""
+        (self.folder / "data").mkdir()
+        self.path, link = self.folder / "data" / "films.pvd", self.folder / "latest.pvd"
+        writer_of(coarsening_of(self.foam, NumberOfFrames=3), self.path).Write()
+        link.symlink_to("data/films.pvd")
+        for append in (True, False):
+            self.assertEqual(writer_of(self.coarsen, link, Append=append).Write(), 1)
+            self.assertTrue(link.is_symlink())
+            self.assertEqual([t for t, _ in entries(self.path)], self.times)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["data", "latest.pvd"])
+
+
 class Writing(Series):
     def test_films(self):
         self.assertEqual(writer_of(self.coarsen, self.path).Write(), 1)
@@ -342,6 +364,40 @@ class InPlaceOfAnother(Series):
         self.assertEqual(len(messages.errors), 1, messages.errors)
         self.check_untouched(before, messages)
 
+    def write_without(self, empty, path):
+        """Writes the series read from its files, of which some are empty."""
+        reader = Reader(self.path)
+        whole = reader.RequestData
+
+        def request_data(request, inputs, outputs):
+            asked = outputs.GetInformationObject(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+            if asked in [self.times[k] for k in empty]:
+                vtkPolyData.GetData(outputs).Initialize()
+                return 1
+            return whole(request, inputs, outputs)
+
+        reader.RequestData = request_data
+        writer = writer_of(reader, path)
+        messages = Messages(writer)
+        return writer.Write(), messages
+
+    def test_empty_frames_are_left_out(self):
+        for empty in ([0], [5], [3, 4, 20], [FRAMES]):
+            path = self.folder / f"without_{empty[0]}.pvd"
+            written, messages = self.write_without(empty, path)
+            self.assertEqual((written, messages.errors, len(messages.warnings)), (1, [], 1))
+            for part in (f"{len(empty)} of {FRAMES + 1}", f"{self.times[empty[0]]:g}"[:7]):
+                self.assertIn(part, messages.warnings[0])
+            left = [k for k in range(FRAMES + 1) if k not in empty]
+            self.assertEqual([t for t, _ in entries(path)], [self.times[k] for k in left])
+            for k, (_, file) in zip(left, entries(path)):
+                self.assertEqual(differences_of_foams(read(file), self.frames[k][0]), [])
+
+    def test_in_its_own_place_without_an_empty_frame(self):
+        written, messages = self.write_without([5], self.path)
+        self.assertEqual((written, messages.errors, len(messages.warnings)), (1, [], 1))
+        self.check_frames([k for k in range(FRAMES + 1) if k != 5])
+
     def test_killed(self):
         before = contents(self.path)
         process = subprocess.Popen([sys.executable, __file__, "write", str(self.path)])
@@ -437,6 +493,15 @@ class Trouble(Series):
         self.assertEqual(writer.Write(), 0)
         self.assertEqual(len(messages.errors), 1, messages.errors)
         self.assertEqual(files(self.folder), [])
+
+    def test_a_folder_of_the_name(self):
+        self.path.mkdir()
+        writer = writer_of(self.coarsen, self.path)
+        messages = Messages(writer)
+        self.assertEqual(writer.Write(), 0)
+        self.assertEqual(len(messages.errors), 1, messages.errors)
+        self.assertIn("is a folder", messages.errors[0])
+        self.assertEqual(list(self.folder.rglob("*")), [self.path])
 
     def test_nothing_to_continue(self):
         self.path.write_text("<VTKFile/>")

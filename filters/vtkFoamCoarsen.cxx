@@ -4,15 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDataObjectMetaDataKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "FilmReading.h"
@@ -25,6 +33,7 @@
 #include "physics/measured_targets.h"
 
 vtkStandardNewMacro(vtkFoamCoarsen);
+vtkInformationKeyMacro(vtkFoamCoarsen, RUN, DataObjectMetaData);
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -39,14 +48,20 @@ constexpr double TIME_TOLERANCE = 1e-6;
 /// What to do about target areas of films that were changed.
 constexpr const char* TAKE_MEASURED = "TargetAreas Measured takes the areas that are there";
 
-/// Announces the times of the frames.
-void Offer(const std::vector<double>& times, vtkInformationVector* outputs) {
-  const double range[2] = {times.front(), times.back()};
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
-    vtkInformation* output = outputs->GetInformationObject(port);
-    output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    output->Set(SDDP::TIME_RANGE(), range, 2);
-  }
+/// The time step (s) of the run that an input is; 0 if it is none.
+double TimeStepOfRun(vtkInformation* input) {
+  vtkDataObject* run = input->Get(vtkFoamCoarsen::RUN());
+  vtkDataArray* step = run ? run->GetFieldData()->GetArray("TimeStep") : nullptr;
+  return step && input->Length(SDDP::TIME_STEPS()) > 0 ? step->GetComponent(0, 0) : 0;
+}
+
+vtkSmartPointer<vtkDataObject> RunOf(double timeStep) {
+  vtkNew<vtkDoubleArray> step;
+  step->SetName("TimeStep");
+  step->InsertNextValue(timeStep);
+  auto run = vtkSmartPointer<vtkDataObject>::New();
+  run->GetFieldData()->AddArray(step);
+  return run;
 }
 
 /// Whether a time step leads to a later time, of this precision.
@@ -111,29 +126,61 @@ vtkFoamCoarsen::~vtkFoamCoarsen() = default;
 
 int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                        vtkInformationVector* outputs) {
-  // The frames begin at the time that the input's data carry, which no information tells before
-  // they are there: a .vtp that is read back alone, to resume a run, has it in its field data. So
-  // the input is brought up to date here; that is work which the request for data would do anyway.
-  this->RequestStart(inputs[0]->GetInformationObject(0));
+  vtkInformation* const from = inputs[0]->GetInformationObject(0);
+  this->RequestStart(from);
   int upstreamPort = 0;
   vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
   if (vtkCompositeDataSet::SafeDownCast(upstream->GetOutputDataObject(upstreamPort))) {
     vtkErrorMacro("The input has blocks, and one foam is wanted: Extract Block takes one of them.");
     return 0;
   }
+  if (const double stepOfRun = TimeStepOfRun(from); stepOfRun > 0) {
+    // What is not known before the input has been computed to its end is corrected then.
+    const double start = from->Get(SDDP::UPDATE_TIME_STEP());
+    const double asked = this->Options->coarsening.time_step;
+    if (this->Run && this->Run->TargetAreas == this->TargetAreas &&
+        this->Run->Timeline.is_of(this->GetSettings()) &&
+        this->Run->Timeline.start_time() == start) {
+      this->AnnounceRun(outputs);
+    } else {
+      this->Announce(start, asked > 0 ? asked : stepOfRun, {}, outputs);
+    }
+    return 1;
+  }
+  // The frames begin at the time that the input's data carry, which no information tells before
+  // they are there: a .vtp that is read back alone, to resume a run, has it in its field data. So
+  // the input is brought up to date here; that is work which the request for data would do anyway.
   upstream->Update(upstreamPort);
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
-  const double start = foam::filters::read_time(input);
-  this->StartTime = start;
-
-  const double timeStep = this->ReadTimeStep(input);
-  const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
-  auto times = foam::filters::frame_times(start, timeStep, valid ? this->NumberOfFrames : 0);
   if (this->RunIsOf(this->GetSettings(), input)) {
-    this->LeaveOutAfterEnd(times);
+    this->AnnounceRun(outputs);
+  } else {
+    this->Announce(foam::filters::read_time(input), this->ReadTimeStep(input), {}, outputs);
   }
-  Offer(times, outputs);
   return 1;
+}
+
+/// Announces the times of the frames from a start (s), up to the last of a run that ended.
+void vtkFoamCoarsen::Announce(double start, double timeStep, const std::optional<int>& end,
+                              vtkInformationVector* outputs) {
+  const bool valid = this->NumberOfFrames > 0 && TimeCanPass(start, timeStep);
+  const int count = valid ? std::min(this->NumberOfFrames, end.value_or(this->NumberOfFrames)) : 0;
+  const auto times = foam::filters::frame_times(start, timeStep, count);
+  const double range[2] = {times.front(), times.back()};
+  const auto run = RunOf(timeStep);
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(SDDP::TIME_RANGE(), range, 2);
+    output->Set(RUN(), run);
+  }
+  this->StartTime = start;
+}
+
+/// Announces those of the present run.
+void vtkFoamCoarsen::AnnounceRun(vtkInformationVector* outputs) {
+  const auto& timeline = this->Run->Timeline;
+  this->Announce(timeline.start_time(), timeline.time_step(), timeline.end(), outputs);
 }
 
 int vtkFoamCoarsen::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
@@ -160,28 +207,16 @@ void vtkFoamCoarsen::MakeFoam(vtkInformation* request, vtkInformationVector** in
                               vtkInformationVector* outputs) {
   this->PrepareSimulation(inputs);
   auto& timeline = this->Run->Timeline;
-  const double timeStep = timeline.time_step();
-  auto times = foam::filters::frame_times(timeline.start_time(), timeStep, this->NumberOfFrames);
-  this->AdvanceTo(
-      RequestedFrame(times, timeStep, foam::filters::requested_output(request, outputs)));
-  if (this->LeaveOutAfterEnd(times)) {
-    Offer(times, outputs);
-  }
+  this->AdvanceTo(RequestedFrame(
+      foam::filters::frame_times(timeline.start_time(), timeline.time_step(), this->NumberOfFrames),
+      timeline.time_step(), foam::filters::requested_output(request, outputs)));
+  this->AnnounceRun(outputs);
   this->WriteOutputs(timeline.sample(this->GetChordError()), outputs);
   for (int i = 0; i < this->GetNumberOfOutputPorts(); ++i) {
     vtkPolyData::GetData(outputs, i)
         ->GetInformation()
         ->Set(vtkDataObject::DATA_TIME_STEP(), timeline.record().time);
   }
-}
-
-/// \returns whether there is an end
-bool vtkFoamCoarsen::LeaveOutAfterEnd(std::vector<double>& times) const {
-  const auto end = this->Run->Timeline.end();
-  if (end) {
-    times.resize(std::min(times.size(), static_cast<std::size_t>(*end) + 1));
-  }
-  return end.has_value();
 }
 
 bool vtkFoamCoarsen::RunIsOf(const Settings& settings, vtkPolyData* input) const {

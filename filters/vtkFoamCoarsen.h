@@ -33,11 +33,12 @@
 #ifndef vtkFoamCoarsen_h
 #define vtkFoamCoarsen_h
 
-#include <memory> // for the options and the simulation
-#include <vector> // for times
+#include <memory>   // for the options and the simulation
+#include <optional> // for the end of a run
 
 #include "vtkFoamEquilibratingAlgorithm.h"
 
+class vtkInformationDataObjectMetaDataKey;
 class vtkPolyData;
 
 #ifndef __VTK_WRAP__
@@ -62,16 +63,26 @@ public:
 
   ///@{
   /**
-   * The time step of a temporal input that the run begins with, Last (default) or First.
+   * The time step of a temporal input that the run begins with, Last (default) or First. The last
+   * of an input that is another FoamCoarsen is the end of its run, which is computed when the first
+   * frame is asked for, and not before.
    */
   vtkSetClampMacro(StartFrom, int, First, Last);
   vtkGetMacro(StartFrom, int);
   ///@}
 
   /**
-   * The time that the run begins with, s, once it is known.
+   * The time that the run begins with, s: the one that the input's data carry. Known from
+   * UpdateInformation on or, where the input is a run that is still to be computed, from Update.
    */
   vtkGetMacro(StartTime, double);
+
+  /**
+   * In the information of what computes its time steps one after the other, and of filters after
+   * it: a data object with the field data TimeStep, s. Who reads it knows that the last time step
+   * costs all of a run, and can announce times without it.
+   */
+  static vtkInformationDataObjectMetaDataKey* RUN();
 
   ///@{
   /**
@@ -209,9 +220,11 @@ private:
   Settings GetSettings() const;
   void RequestStart(vtkInformation* input) const;
   bool RunIsOf(const Settings& settings, vtkPolyData* input) const;
+  void AnnounceRun(vtkInformationVector* outputs);
   void PrepareSimulation(vtkInformationVector** inputs);
 #ifndef __VTK_WRAP__
-  bool LeaveOutAfterEnd(std::vector<double>& times) const;
+  void Announce(double start, double timeStep, const std::optional<int>& end,
+                vtkInformationVector* outputs);
   foam::EquilibriumReport OfMeasuredTargets(foam::EquilibriumReport said, const foam::Foam& foam);
 #endif
   void AdvanceTo(int frame);

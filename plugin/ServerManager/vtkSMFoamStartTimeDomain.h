@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkSMFoamStartTimeDomain
- * @brief Gives a property the time of the input that a run begins with, for the panel to show.
+ * @brief Gives a property the value of one that is for information only, which panels do not show.
  *
  *     <FoamStartTimeDomain name="time">
  *       <RequiredProperties>
- *         <Property name="Input" function="Input"/>
- *         <Property name="StartFrom" function="StartFrom"/>
+ *         <Property name="StartTimeInForce" function="Time"/>
  *       </RequiredProperties>
  *     </FoamStartTimeDomain>
  */
@@ -22,6 +21,7 @@ public:
   vtkTypeMacro(vtkSMFoamStartTimeDomain, vtkSMDomain);
 
   void Update(vtkSMProperty* changed) override;
+  int SetDefaultValues(vtkSMProperty* property, bool useUnchecked) override;
 
 protected:
   vtkSMFoamStartTimeDomain() = default;

@@ -10,7 +10,9 @@ import time
 import unittest
 from pathlib import Path
 
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
 
 from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints
 from foam_testing import (Messages, coarsening_of, column, copy, differences, foam_of_points, go_to,
@@ -22,6 +24,24 @@ def work(action):
     start = time.process_time()
     action()
     return time.process_time() - start
+
+
+class Later(VTKPythonAlgorithmBase):
+    """Films that are shown at other times than they carry."""
+
+    def __init__(self, films):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.films = films
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), [100.0, 200.0], 2)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [100.0, 200.0], 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        vtkPolyData.GetData(outputs).ShallowCopy(self.films)
+        return 1
 
 
 class Times(unittest.TestCase):
@@ -72,6 +92,48 @@ class Times(unittest.TestCase):
         for frame in (0, 3, 1):
             go_to(first, frame)
             self.assertEqual(differences(go_to(second, frame)[0], reference[frame]), [])
+
+    def test_a_run_upstream_is_computed_when_it_is_asked_for(self):
+        """Its end, and not before; the times are announced without it."""
+        for step in (0, 0.03):
+            for start, at in ((vtkFoamCoarsen.Last, 10), (vtkFoamCoarsen.First, 0)):
+                first = coarsening_of(foam_of_points(), NumberOfFrames=10)
+                computed = []
+                first.AddObserver("StartEvent", lambda *_: computed.append(None))
+                second = coarsening_of(first, NumberOfFrames=3, StartFrom=start, TimeStep=step)
+                offered = times(second)
+                self.assertEqual(computed, [])
+                known = times(first)
+                step_in_force = step or known[1]
+                self.assertEqual(offered[0], known[at])
+                self.assertAlmostEqual(offered[3] - offered[0], 3 * step_in_force, 14)
+                self.assertEqual(second.GetStartTime(), known[at])
+                films, _ = go_to(second, 0)
+                self.assertGreater(len(computed), 0)
+                self.assertEqual(single(films, "TimeValue"), offered[0])
+                self.assertEqual(times(second), offered)
+
+    def test_a_run_upstream_that_ends(self):
+        """What follows begins where it ended, and the times that were announced are corrected."""
+        first = coarsening_of(foam_of_points(6), NumberOfFrames=400, TimeStep=0.05)
+        second = coarsening_of(first, NumberOfFrames=3, TimeStep=0.01, TargetAreas=vtkFoamCoarsen.Measured)
+        Messages(first)
+        Messages(second)
+        self.assertEqual(times(second)[0], 400 * 0.05)
+        second.Update()
+        films = second.GetOutput(0)
+        end = times(first)[-1]
+        self.assertLess(end, 400 * 0.05)
+        self.assertEqual(single(films, "TimeValue"), end)
+        self.assertEqual((times(second)[0], second.GetStartTime()), (end, end))
+
+    def test_start_time_is_that_of_the_data(self):
+        """Whatever time a pipeline shows them at."""
+        films, _ = go_to(coarsening_of(foam_of_points()), 4)
+        later = Later(films)
+        second = coarsening_of(later, NumberOfFrames=2)
+        offered = times(second)
+        self.assertEqual((second.GetStartTime(), offered[0]), 2 * (single(films, "TimeValue"),))
 
     def test_between_frames(self):
         coarsen = coarsening_of(foam_of_points())

@@ -114,6 +114,24 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(film_bits(fetch(later, time=self.expected[23])),
                          film_bits(fetch(self.coarsen, time=self.expected[23])))
 
+    def test_the_end_of_a_run_is_in_the_time_line(self):
+        """At once, and what goes on from there begins there, not before it is asked for a frame."""
+        foam = FoamFromPoints(Input=FoamPoints(NumberOfPoints=6))
+        run = FoamCoarsen(Input=foam, NumberOfFrames=400, TimeStep=0.05)
+        after = FoamCoarsen(Input=run, NumberOfFrames=2, TimeStep=0.01, TargetAreas="Measured")
+        self.assertEqual(len(run.TimestepValues), 401)
+        self.assertEqual((after.StartTime[0], list(after.TimestepValues)[0]), (20, 20))
+        after.UpdatePipeline()
+        run.UpdatePipeline(20)
+        end = run.TimestepValues[-1]
+        self.assertLess(end, 20)
+        self.assertEqual((after.StartTime[0], after.TimestepValues[0]), (end, end))
+        after.StartFrom = "First"
+        after.UpdatePipeline()
+        self.assertEqual((after.StartTime[0], after.TimestepValues[0]), (0, 0))
+        for proxy in (after, run):
+            simple.Delete(proxy)
+
     def test_series_continued(self):
         path = self.write_series("films.pvd")
         last = simple.XMLPolyDataReader(FileName=[str(path.parent / "films/films_0020.vtp")])

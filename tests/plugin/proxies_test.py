@@ -34,7 +34,7 @@ PROXIES = {
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
-    "FoamCoarsen": {"Input", "TimestepValues", "StartTime"}, "FoamStatistics": {"Input"},
+    "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {

@@ -11,6 +11,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
@@ -322,6 +323,17 @@ void check_cover(const Foam& foam, double covered) {
 }
 
 } // namespace
+
+vtkPolyData* films_in(vtkDataObject* input) {
+  auto* films = vtkPolyData::SafeDownCast(input);
+  if (!films) {
+    fail("the input is ",
+         vtkCompositeDataSet::SafeDownCast(input) ? "blocks, of which Extract Block takes one"
+                                                  : message("a ", input->GetClassName()),
+         "; ", kWanted);
+  }
+  return films;
+}
 
 FilmSet read_films(vtkPolyData* films) {
   if (!films || films->GetNumberOfPoints() == 0 || films->GetNumberOfLines() == 0) {

@@ -5,9 +5,13 @@
 
 #include "mesh/film_set.h"
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace foam::filters {
+
+/// What is connected, if it can be films. \throws FoamError saying what it is.
+vtkPolyData* films_in(vtkDataObject* input);
 
 /// The films that write_films wrote, checked one by one: reading what was written gives the same
 /// list, bit for bit.

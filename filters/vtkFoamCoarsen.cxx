@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
@@ -124,16 +123,15 @@ FOAM_OPTIONS(foamDefineOption, foamDefineChoice)
 vtkFoamCoarsen::vtkFoamCoarsen() : Options(std::make_unique<Settings>()) {}
 vtkFoamCoarsen::~vtkFoamCoarsen() = default;
 
+int vtkFoamCoarsen::FillInputPortInformation(int, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
+  return 1;
+}
+
 int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                        vtkInformationVector* outputs) {
   vtkInformation* const from = inputs[0]->GetInformationObject(0);
   this->RequestStart(from);
-  int upstreamPort = 0;
-  vtkAlgorithm* upstream = this->GetInputAlgorithm(0, 0, upstreamPort);
-  if (vtkCompositeDataSet::SafeDownCast(upstream->GetOutputDataObject(upstreamPort))) {
-    vtkErrorMacro("The input has blocks, and one foam is wanted: Extract Block takes one of them.");
-    return 0;
-  }
   if (const double stepOfRun = TimeStepOfRun(from); stepOfRun > 0) {
     // What is not known before the input has been computed to its end is corrected then.
     const double start = from->Get(SDDP::UPDATE_TIME_STEP());
@@ -150,8 +148,12 @@ int vtkFoamCoarsen::RequestInformation(vtkInformation*, vtkInformationVector** i
   // The frames begin at the time that the input's data carry, which no information tells before
   // they are there: a .vtp that is read back alone, to resume a run, has it in its field data. So
   // the input is brought up to date here; that is work which the request for data would do anyway.
-  upstream->Update(upstreamPort);
+  int upstreamPort = 0;
+  this->GetInputAlgorithm(0, 0, upstreamPort)->Update(upstreamPort);
   vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
+  if (!input) {
+    return 1; // the request for data tells
+  }
   if (this->RunIsOf(this->GetSettings(), input)) {
     this->AnnounceRun(outputs);
   } else {
@@ -253,7 +255,7 @@ void vtkFoamCoarsen::PrepareSimulation(vtkInformationVector** inputs) {
     foam::filters::fail("KeyframeMemory must be at least 0 MiB, but is ", this->KeyframeMemory);
   }
 
-  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* const input = foam::filters::films_in(vtkDataObject::GetData(inputs[0]));
   if (!this->RunIsOf(settings, input)) {
     this->ReadStart(input);
     const std::unique_ptr<Start> begin = std::move(this->Next);

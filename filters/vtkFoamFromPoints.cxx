@@ -177,7 +177,7 @@ vtkFoamFromPoints::vtkFoamFromPoints() : Options(std::make_unique<foam::BuildOpt
 vtkFoamFromPoints::~vtkFoamFromPoints() = default;
 
 int vtkFoamFromPoints::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
   return 1;
 }
 
@@ -192,6 +192,10 @@ int vtkFoamFromPoints::RequestUpdateExtent(vtkInformation* request, vtkInformati
 void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
+  if (!input) {
+    fail("the input is a ", vtkDataObject::GetData(inputs[0])->GetClassName(),
+         "; what is wanted is one data set with points of its own");
+  }
   if (input->GetPointData()->HasArray("JunctionId") &&
       input->GetCellData()->HasArray("LeftBubble")) {
     fail("the input is the films of a foam, not points: FoamCoarsen and FoamStatistics take films");

@@ -61,7 +61,7 @@ vtkFoamStatistics::vtkFoamStatistics() {
 }
 
 int vtkFoamStatistics::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
   return 1;
 }
 
@@ -83,7 +83,7 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
     return 1;
   }
   try {
-    vtkPolyData* const films = vtkPolyData::GetData(inputs[0]);
+    vtkPolyData* const films = foam::filters::films_in(vtkDataObject::GetData(inputs[0]));
     auto foam = foam::filters::read_foam(films);
     const foam::EquilibriumReport given = foam.report;
     foam.report = foam::confirmed(given, foam, foam::filters::coordinate_rounding(films));

@@ -9,7 +9,9 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints,
                                       vtkStringArray)
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable,
+                                           vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
@@ -543,6 +545,17 @@ class Films(Rejecting):
                              (line.GetOutput(), "1 lines", "FormatVersion is missing"),
                              (vtkPolyData(), "no films", "empty", "read completely")):
             self.rejects_films(data, *parts, *(["first output of FoamFromPoints"] if data.GetNumberOfPoints() else []))
+
+    def test_one_word_for_what_is_no_surface_at_all(self):
+        """Blocks, tables, images: one error each, of all filters."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, self.films[False])
+        for data, told in ((blocks, "lock"), (vtkImageData(), "vtkImageData"), (vtkTable(), "vtkTable")):
+            for algorithm in (vtkFoamCoarsen(), vtkFoamStatistics(), vtkFoamFromPoints()):
+                producer = vtkTrivialProducer()
+                producer.SetOutput(data)
+                algorithm.SetInputConnection(producer.GetOutputPort())
+                self.rejects(algorithm, told, "wanted")
 
     def test_random_changes(self):
         """Whatever the arrays hold, there is an error and nothing, or a foam; never a crash."""

@@ -53,7 +53,7 @@ def xml_defaults(filter_class):
         values = element.get("default_values", "").split()
         if element.tag == "StringVectorProperty":
             yield element.get("name"), " ".join(values)
-        elif values:
+        elif values and element.get("information_only") != "1":
             numbers = tuple(map(float, values))
             yield element.get("name"), numbers if len(numbers) > 1 else numbers[0]
 

@@ -13,7 +13,12 @@ LEAST_RIDGES = 1.2  # dark ones beside bright ones: about 2 for dark films, 1 fo
 def read_picture(path, left, right, top, bottom):
     """The part of a picture that is to be looked at, its brightest pixel 1. Ends with a word if it is no picture of
     dark films."""
-    whole = io.imread(path, as_gray=True).astype(float)
+    try:
+        whole = io.imread(path, as_gray=True).astype(float)
+    except FileNotFoundError:
+        raise
+    except Exception as error:  # as many kinds as there are readers of pictures
+        sys.exit(f"{path} cannot be read as a picture: {str(error).splitlines()[0]}")
     if whole.ndim != 2:
         sys.exit(f"{path} is not one picture: its shape is {whole.shape}")
     picture = whole[top:bottom or None, left:right or None]

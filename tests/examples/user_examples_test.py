@@ -255,6 +255,13 @@ class Picture(Example):
         self.assertIn("blank", process.stderr)
         self.assertNotIn("Traceback", process.stderr)
 
+    def test_no_picture_at_all(self):
+        path = self.folder / "text.png"
+        path.write_text("no picture")
+        with self.assertRaises(SystemExit) as refused:
+            foam_in_picture.read_picture(path, 0, 0, 0, 0)
+        self.assertIn("text.png", str(refused.exception))
+
     def test_no_picture(self):
         process = run("foam_from_picture.py", "--picture", self.folder / "none.png", "--output", self.folder)
         self.assertNotEqual(process.returncode, 0)

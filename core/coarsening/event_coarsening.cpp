@@ -31,6 +31,8 @@ constexpr double kLongestStep = 0.0125;
 constexpr double kSameTime = 1e-7;  // to which T1s are found where the whole foam relaxes
 constexpr double kLookAgain = 1e-4; // at a short film that is not pulled shut
 
+constexpr double kGasError = 1e-7; // of the mean area, that rates may be off by in an interval
+
 // Of the mean spacing; no film is followed further, for its direction is lost in rounding.
 constexpr double kShortestFilm = 1e-5;
 
@@ -63,6 +65,8 @@ void EventCoarsening::restart(Foam foam) {
   back_off_ = std::move(back_off);
   motion_ = {};
   newton_.forget();
+  rates_change_ = area_rates_change(foam_);
+  longest_ = std::numeric_limits<double>::infinity();
 }
 
 void EventCoarsening::undo(State state) {
@@ -148,10 +152,8 @@ bool EventCoarsening::stands_still(double time) const {
   return true;
 }
 
-/// Goes through a step from one event to the next.
-std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
-  now_ = 0;
-  changed_ = 0;
+/// Takes the thresholds of the foam as it is, with what is too small for any foam.
+void EventCoarsening::set_limits() {
   const double spacing = foam_.mean_spacing();
   const double mean_area = spacing * spacing;
   limit_ = thresholds(foam_, options_.thresholds);
@@ -160,7 +162,13 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   limit_.t2_area = std::max(limit_.t2_area, kManySidedArea * mean_area);
   room_ = whole_ ? kManySidedArea * mean_area : limit_.t2_area;
   smallest_area_ = kSmallestArea * mean_area;
+}
 
+/// Goes through a step from one event to the next.
+std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
+  now_ = 0;
+  changed_ = 0;
+  set_limits();
   if (end_at(foam_, End::Cause::AllVanish, limit_).area <= limit_.t2_area &&
       foam_.bubble_count() > 2) {
     return Obstacle{End::Cause::AllVanish};
@@ -222,8 +230,8 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const Abort
     if (!event && at_end) {
       return std::nullopt;
     }
-    const bool vanishes =
-        event && event->kind == Event::Kind::Collapse && foam_.sides[event->bubble] <= 3;
+    const bool vanishes = !rates_change_ && event && event->kind == Event::Kind::Collapse &&
+                          foam_.sides[event->bubble] <= 3;
     if (vanishes) {
       now_ = event->time;
       motion_.bring_all(foam_, now_);
@@ -292,32 +300,61 @@ double EventCoarsening::same_time() const {
   return kSameTime * unit_of_time_;
 }
 
-/// Brings the whole foam to an instant, or to one before it from which on it has no equilibrium of
-/// this topology that Newton's method would find at once. \returns false if there is none.
+/// Brings the whole foam to an instant, or to one before it: where rates would change too much on
+/// the way, or from which on it has no equilibrium of this topology that Newton's method would find
+/// at once. \returns false if there is none.
 bool EventCoarsening::arrive(double time, const AbortCheck& aborted) {
   const State before{foam_, motion_, back_off_};
   const double nearest = 0.5 * same_time();
-  double there = time;
+  double there = std::clamp(time, now_ - longest_, now_ + longest_);
   do {
-    if (there == step_) {
-      motion_.finish(foam_, there);
-      balance_gas();
-    } else {
-      motion_.bring_all(foam_, there);
-    }
-    relax_whole(there == step_ ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
-    if (foam_.report.converged) {
-      now_ = there;
-      return true;
+    const bool at_end = there == step_;
+    at_end ? motion_.finish(foam_, there) : motion_.bring_all(foam_, there);
+    double part = 0.5;
+    if (!rates_change_ || correct_areas(there - now_, part, aborted)) {
+      if (at_end) {
+        balance_gas();
+      }
+      relax_whole(at_end ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
+      if (foam_.report.converged) {
+        now_ = there;
+        return true;
+      }
     }
     undo(before);
-    there = now_ + 0.5 * (there - now_);
+    there = now_ + part * (there - now_);
   } while (std::abs(there - now_) > nearest);
   return false;
 }
 
+/// Takes into account at the end of an interval (s) what the rates r have become there. With r₀ and
+/// r₀' known at its beginning areas came by h·r₀ + ½h²·r₀'; with r₁ they come, to the next order,
+/// by ⅓h·(2r₀ + r₁) + ⅙h²·r₀'. The difference says how far off the first is, and so how long an
+/// interval may be. \param part of the interval that would do if it is too long \returns whether
+/// it does, and has an equilibrium
+bool EventCoarsening::correct_areas(double interval, double& part, const AbortCheck& aborted) {
+  relax_whole(kBetweenEvents, 0, kShortRelaxation, aborted);
+  if (!foam_.report.converged) {
+    return false;
+  }
+  const Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+  double error = 0;
+  for (const Bubble b : foam_.bubble_slots()) {
+    if (foam_.has_bubble(b)) {
+      const double correction = interval / 3 * (rates[b] - motion_.area_rate(b));
+      foam_.target_area[b] += correction;
+      error = std::max(error, std::abs(correction));
+    }
+  }
+  const double room = std::cbrt(kGasError * foam_.mean_area() / error); // error ~ interval³
+  longest_ = std::abs(interval) * std::clamp(0.9 * room, 0.1, 4.0);
+  part = longest_ / std::abs(interval);
+  return room >= 1;
+}
+
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
+  set_limits();
   Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
   const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
@@ -325,6 +362,9 @@ void EventCoarsening::predict_whole() {
     const double since = now_ - predicted_;
     const double bend = (step_ - now_) / since;
     motion_.take_whole(newton_.region(), *response, bend > 0 && bend < 1.5 ? bend : 0);
+    if (rates_change_) {
+      motion_.bend_areas(area_rate_changes(foam_, options_.permeability, motion_.rates().angles));
+    }
   } else {
     motion_.rest();
   }
@@ -348,10 +388,11 @@ void EventCoarsening::schedule_all() {
 /// \pre the bubble stands at this instant
 void EventCoarsening::schedule_bubble(Bubble bubble) {
   queue_.cancel(bubble);
+  const double excess = std::max(foam_.target_area[bubble] - collapse_area(bubble), 0.0);
   const double rate = motion_.area_rate(bubble);
-  if (rate < 0) {
-    const double excess = foam_.target_area[bubble] - collapse_area(bubble);
-    schedule({.time = now_ + std::max(excess, 0.0) / -rate,
+  const double root = std::sqrt(rate * rate - 2 * motion_.area_bend(bubble) * excess);
+  if (root > rate) { // and it does come to that area
+    schedule({.time = now_ + 2 * excess / (root - rate),
               .kind = Event::Kind::Collapse,
               .bubble = bubble});
   }

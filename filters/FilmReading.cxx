@@ -143,6 +143,7 @@ void read_state(vtkFieldData* data, FilmSet& set) {
   }
   if (data->HasArray("TimeStep")) {
     set.time_step = single(data, "TimeStep");
+    set.growth_constant = single(data, "GrowthConstant");
     set.thresholds = {single(data, "T1Length"), single(data, "T2Area")};
   }
 
@@ -359,7 +360,9 @@ Foam checked_foam(const FilmSet& films) {
   double total = 0;
   for (const Bubble b : foam.bubble_slots()) {
     const double area = foam.area(b);
-    if (!(area > 0)) {
+    // The thesis's method may fold one that is to vanish.
+    const bool to_vanish = foam.target_area[b] <= foam.thresholds.t2_area;
+    if (to_vanish ? !std::isfinite(area) : !(area > 0)) {
       not_a_foam("the area of bubble ", foam.bubble_id[b], " is ", area);
     }
     total += area;
@@ -413,6 +416,7 @@ double read_time(vtkPolyData* films) {
 double read_time_step(vtkPolyData* films, const CoarseningOptions& options) {
   FoamRecord record;
   record.time_step = value_or_zero(films, "TimeStep");
+  record.growth_constant = value_or_zero(films, "GrowthConstant");
   record.surface_tension = value_or_zero(films, "SurfaceTension");
   double total = 0;
   vtkDataArray* areas = films ? films->GetFieldData()->GetArray("BubbleTargetArea") : nullptr;

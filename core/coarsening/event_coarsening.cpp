@@ -54,6 +54,14 @@ std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
   return films;
 }
 
+double largest_area(const Foam& foam) {
+  double largest = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    largest = std::max(largest, foam.has_bubble(b) ? foam.target_area[b] : 0);
+  }
+  return largest;
+}
+
 } // namespace
 
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
@@ -67,6 +75,7 @@ void EventCoarsening::restart(Foam foam) {
   newton_.forget();
   rates_change_ = area_rates_change(foam_);
   longest_ = std::numeric_limits<double>::infinity();
+  note_thresholds();
 }
 
 void EventCoarsening::undo(State state) {
@@ -98,13 +107,14 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
         in_need_.restart(foam_);
         if (in_need_.advance(aborted)) {
           foam_ = in_need_.foam();
+          note_thresholds();
           return true;
         }
         if (in_need_.foam().ended->cause == End::Cause::LastTwo) {
           obstacle = {End::Cause::LastTwo};
         }
       }
-      foam_.ended = end_at(foam_, obstacle->cause, limit_, obstacle->bubble);
+      foam_.ended = end_at(foam_, *obstacle, limit_, options_.thresholds);
       return false;
     }
   } catch (...) {
@@ -115,13 +125,18 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   foam_.time = before.foam.time + options_.time_step;
   foam_.report.iterations = iterations_;
   foam_.ended.reset();
-  foam_.thresholds = limit_;
+  note_thresholds();
   return true;
 }
 
+void EventCoarsening::note_thresholds() {
+  whole_ = foam_.bubble_count() <= kFewBubbles;
+  set_limits();
+  foam_.thresholds = limit_;
+}
+
 /// Through a frame. \param whole whether the whole foam relaxes at every event
-std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool whole,
-                                                                    const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::integrate(bool whole, const AbortCheck& aborted) {
   whole_ = whole;
   double remaining = options_.time_step;
   while (true) {
@@ -165,12 +180,11 @@ void EventCoarsening::set_limits() {
 }
 
 /// Goes through a step from one event to the next.
-std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
   now_ = 0;
   changed_ = 0;
   set_limits();
-  if (end_at(foam_, End::Cause::AllVanish, limit_).area <= limit_.t2_area &&
-      foam_.bubble_count() > 2) {
+  if (foam_.bubble_count() > 2 && largest_area(foam_) <= limit_.t2_area) {
     return Obstacle{End::Cause::AllVanish};
   }
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
@@ -187,8 +201,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   return obstacle;
 }
 
-std::optional<EventCoarsening::Obstacle>
-EventCoarsening::step_by_patches(const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::step_by_patches(const AbortCheck& aborted) {
   for (const Film f : foam_.film_slots()) {
     if (foam_.bends(f) && film_is_due(f)) {
       schedule({.time = now_, .kind = Event::Kind::Close, .film = f});
@@ -219,7 +232,7 @@ EventCoarsening::step_by_patches(const AbortCheck& aborted) {
 /// Follows the whole foam's equilibrium to where the next event is expected, expects it anew from
 /// there, be it earlier, and so finds its time as Newton's method finds a root. The end of a small
 /// bubble, which the films around do not feel, needs no equilibrium.
-std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
   constexpr Obstacle no_equilibrium{End::Cause::NoEquilibrium};
   bool at_end = false;
   for (int left = kEvents + kEventsPerBubble * foam_.bubble_count(); left > 0; --left) {
@@ -454,8 +467,7 @@ void EventCoarsening::schedule(const Event& event) {
   }
 }
 
-std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& event,
-                                                                 const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::handle(const Event& event, const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
     return foam_.has_bubble(event.bubble) ? handle_collapse(event.bubble, aborted) : std::nullopt;
   }
@@ -477,8 +489,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& ev
   return std::nullopt;
 }
 
-std::optional<EventCoarsening::Obstacle>
-EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
   const double target = foam_.target_area[bubble];
   if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
@@ -501,7 +512,7 @@ EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   return std::nullopt;
 }
 
-EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
+Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
   const bool last_two = !foam_.surroundings.periodic() && foam_.bubble_count() == 2;
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }

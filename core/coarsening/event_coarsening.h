@@ -45,15 +45,10 @@ private:
     Field<Bubble, double> back_off;
   };
 
-  /// What a frame cannot get over.
-  struct Obstacle {
-    End::Cause cause = End::Cause::NoEquilibrium;
-    Bubble bubble = kNone; ///< that is to vanish
-  };
-
   std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
   bool stands_still(double time) const;
   void set_limits();
+  void note_thresholds();
   std::optional<Obstacle> step(const AbortCheck& aborted);
   std::optional<Obstacle> step_by_patches(const AbortCheck& aborted);
   std::optional<Obstacle> step_whole(const AbortCheck& aborted);

@@ -33,7 +33,7 @@ BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", 
             "MeanArea"]
 
 
-COARSENING_FIELDS = ["TimeStep", "T1Length", "T2Area"]
+COARSENING_FIELDS = ["TimeStep", "GrowthConstant", "T1Length", "T2Area"]
 
 
 def names(attributes):

@@ -37,7 +37,7 @@ constexpr double kGasError = 1e-7; // of the mean area, that rates may be off by
 constexpr double kShortestFilm = 1e-5;
 
 constexpr Index kFewBubbles = 256;      // of which all feel an event
-constexpr double kBetweenEvents = 1e-7; // tolerance of equilibria in a step
+constexpr double kBetweenEvents = 1e-6; // tolerance of equilibria in a step
 constexpr int kShortRelaxation = 12;    // iterations along the equilibria of one topology
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
@@ -275,7 +275,10 @@ std::optional<Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
 /// Whether there is a film that may have closed on the way.
 bool EventCoarsening::has_short_film() const {
   for (const Film f : foam_.film_slots()) {
-    if (foam_.bends(f) && foam_.length(f.half()) < limit_.t1_length && spares_sides(foam_, f)) {
+    const Half h = f.half();
+    // An arc is no shorter than its chord.
+    if (foam_.bends(f) && norm(foam_.chord(h)) < limit_.t1_length &&
+        foam_.length(h) < limit_.t1_length && spares_sides(foam_, f)) {
       return true;
     }
   }
@@ -290,14 +293,15 @@ void EventCoarsening::balance_gas() {
     return;
   }
   const AreaRate rate = area_rate(view_of(std::as_const(foam_)), options_.permeability);
-  double lost = 0;
+  const bool periodic = foam_.surroundings.periodic();
+  double lost = periodic ? foam_.surroundings.lattice.area() : 0;
   double share = 0; // the gas of those that take part
   std::vector<Bubble> taking_part;
   for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b)) {
       const double gas = foam_.target_area[b];
-      lost += foam_.area(b) - gas;
-      if (foam_.surroundings.periodic() || rate.takes_a_share(b)) {
+      lost += (periodic ? 0 : foam_.area(b)) - gas;
+      if (periodic || rate.takes_a_share(b)) {
         share += gas;
         taking_part.push_back(b);
       }
@@ -361,8 +365,11 @@ bool EventCoarsening::correct_areas(double interval, double& part, const AbortCh
   }
   const double room = std::cbrt(kGasError * foam_.mean_area() / error); // error ~ interval³
   longest_ = std::abs(interval) * std::clamp(0.9 * room, 0.1, 4.0);
-  part = longest_ / std::abs(interval);
-  return room >= 1;
+  if (room < 1) {
+    part = longest_ / std::abs(interval);
+    return false;
+  }
+  return true;
 }
 
 /// \pre the whole foam stands at this instant

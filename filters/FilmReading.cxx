@@ -143,8 +143,10 @@ void read_state(vtkFieldData* data, FilmSet& set) {
   }
   if (data->HasArray("TimeStep")) {
     set.time_step = single(data, "TimeStep");
-    set.growth_constant = single(data, "GrowthConstant");
     set.thresholds = {single(data, "T1Length"), single(data, "T2Area")};
+  }
+  if (data->HasArray("GrowthConstant")) {
+    set.growth_constant = single(data, "GrowthConstant");
   }
 
   const vtkIdType count = Column::find(data, "BubbleId")->GetNumberOfTuples();

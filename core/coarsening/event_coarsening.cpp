@@ -364,9 +364,10 @@ bool EventCoarsening::correct_areas(double interval, double& part, const AbortCh
     }
   }
   const double room = std::cbrt(kGasError * foam_.mean_area() / error); // error ~ interval³
-  longest_ = std::abs(interval) * std::clamp(0.9 * room, 0.1, 4.0);
-  if (room < 1) {
-    part = longest_ / std::abs(interval);
+  const double shortest = kLookAgain * unit_of_time_;                   // where rates have a kink
+  longest_ = std::max(std::abs(interval) * std::clamp(0.9 * room, 0.1, 4.0), shortest);
+  if (room < 1 && std::abs(interval) > shortest) {
+    part = std::min(longest_ / std::abs(interval), 0.9);
     return false;
   }
   return true;

@@ -193,8 +193,10 @@ void FilmBatchMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> 
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   if (draws_films(renderer)) {
     // VTK passes point data on vertex by vertex; along a film they go from one end to the other.
+    // From VTK 9.3 on coordinates in a colour map have a name of their own.
     vtkShader* geometry = shaders[vtkShader::Geometry];
-    for (const std::string name : {"vertexColorVSOutput", "tcoordVCVSOutput"}) {
+    for (const std::string name :
+         {"vertexColorVSOutput", "tcoordVCVSOutput", "colorTCoordVCVSOutput"}) {
       substitute(geometry, name + "[i]", "mix(" + name + "[0], " + name + "[1], t)");
     }
   }

@@ -26,7 +26,9 @@ NO_WELCOME = "[General]\nGeneralSettings.ShowWelcomeDialog=false\n"
 
 
 def menu(name, *entries):
-    return [(f"{MAIN}/menubar/{name}", "activate", entry) for entry in entries]
+    """Opens it first, since some are filled only then."""
+    opened = (f"{MAIN}/menubar", "activate", name.split("/")[0])
+    return [opened, *((f"{MAIN}/menubar/{name}", "activate", entry) for entry in entries)]
 
 
 def create(name, proxy):

@@ -33,8 +33,9 @@ if(FOAM_PARAVIEW_VERSION)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${this_version}), \
 paraview (<< ${CMAKE_MATCH_1}.${next_minor}), python3-paraview")
 endif()
-if(FOAM_PARAVIEW_VERSION VERSION_LESS 5.13)
-  # The icons of ParaView's windows; later packages depend on theirs.
-  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt5svg5")
+# The icons of ParaView's windows, of Qt 5 and 6.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt5svg5")
+if(FOAM_PARAVIEW_VERSION VERSION_GREATER_EQUAL 5.13)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-svg-plugins")
 endif()
 include(CPack)

@@ -75,7 +75,7 @@ def neighbourhoods(lines):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ShapelyDeprecationWarning)
         tree = STRtree(lines)
-    if shapely.__version__ >= "2":
+    if hasattr(shapely, "STRtree"):  # Shapely 2
         return tree.query
     number = {id(line): i for i, line in enumerate(lines)}
     return lambda line: [number[id(other)] for other in tree.query(line)]

@@ -27,7 +27,15 @@ foreach(component IN ITEMS runtime python documentation)
 endforeach()
 # Libraries are found by themselves; the plugin needs the very ParaView that it is built for.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= 5.11), paraview (<< 5.12), python3-paraview")
-# The icons of ParaView's windows.
+if(FOAM_PARAVIEW_VERSION)
+  string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" this_version "${FOAM_PARAVIEW_VERSION}")
+  math(EXPR next_minor "${CMAKE_MATCH_2} + 1")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${this_version}), \
+paraview (<< ${CMAKE_MATCH_1}.${next_minor}), python3-paraview")
+endif()
+# The icons of ParaView's windows, of Qt 5 and 6.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt5svg5")
+if(FOAM_PARAVIEW_VERSION VERSION_GREATER_EQUAL 5.13)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-svg-plugins")
+endif()
 include(CPack)

@@ -27,7 +27,7 @@ ROOT = Path(__file__).resolve().parent.parent
 def find_plugin():
     """The plugin's file."""
     named = os.environ.get("FOAM_PLUGIN")
-    built = sorted(ROOT.glob("build/*/lib/paraview-*/plugins/Foam/Foam.so"), key=lambda path: path.stat().st_mtime)
+    built = sorted(ROOT.glob("build/*/Foam.so"), key=lambda path: path.stat().st_mtime)
     if named and not Path(named).is_file():
         sys.exit(f"There is no plugin at FOAM_PLUGIN={named}")
     if not named and not built:

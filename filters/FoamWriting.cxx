@@ -131,6 +131,7 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   write_end(record, data);
   if (record.time_step > 0) {
     add_value<vtkDoubleArray>(data, "TimeStep", record.time_step);
+    add_value<vtkDoubleArray>(data, "GrowthConstant", record.growth_constant);
     add_value<vtkDoubleArray>(data, "T1Length", record.thresholds.t1_length);
     add_value<vtkDoubleArray>(data, "T2Area", record.thresholds.t2_area);
   }

@@ -3,7 +3,7 @@
 
 #include <vtkObjectFactory.h>
 
-#include "FilmMapperHelper.h"
+#include "FilmBatchMapper.h"
 
 vtkStandardNewMacro(vtkFoamFilmMapper);
 
@@ -25,16 +25,6 @@ void vtkFoamFilmMapper::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "FilmTexture: " << this->FilmTexture.Get() << "\n";
 }
 
-vtkCompositeMapperHelper2* vtkFoamFilmMapper::CreateHelper() {
-  return foam::rendering::FilmMapperHelper::New();
-}
-
-void vtkFoamFilmMapper::CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) {
-  this->Superclass::CopyMapperValuesToHelper(helper);
-  auto* films = foam::rendering::FilmMapperHelper::SafeDownCast(helper);
-  films->SetFilmWidth(this->FilmWidth);
-  films->SetBorderRadius(this->BorderRadius);
-  const bool plain = this->FilmStyle == Texture && !this->FilmTexture;
-  films->SetFilmStyle(plain ? Plain : this->FilmStyle);
-  films->SetFilmTexture(this->FilmTexture);
+foam::rendering::BatchMapper* vtkFoamFilmMapper::NewBatchMapper() {
+  return foam::rendering::FilmBatchMapper::New();
 }

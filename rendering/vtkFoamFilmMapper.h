@@ -22,28 +22,31 @@
 #ifndef vtkFoamFilmMapper_h
 #define vtkFoamFilmMapper_h
 
-#include "vtkCompositePolyDataMapper2.h"
+#include <algorithm>
+
+#include "CompositeMapper.h"
 #include "vtkFoamRenderingModule.h" // for the export macro
 #include "vtkSmartPointer.h"        // for a member
 #include "vtkTexture.h"             // for a member
 
-class VTKFOAMRENDERING_EXPORT vtkFoamFilmMapper : public vtkCompositePolyDataMapper2 {
+class VTKFOAMRENDERING_EXPORT vtkFoamFilmMapper : public foam::rendering::CompositeMapper {
 public:
   static vtkFoamFilmMapper* New();
-  vtkTypeMacro(vtkFoamFilmMapper, vtkCompositePolyDataMapper2);
+  vtkTypeMacro(vtkFoamFilmMapper, foam::rendering::CompositeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Width of a film in pixels, at any zoom. Default 2.
-  vtkSetClampMacro(FilmWidth, double, 0, VTK_DOUBLE_MAX);
-  vtkGetMacro(FilmWidth, double);
+  /// Width of a film in pixels, at any zoom. Default 2. As it changes no buffer, the mapper does
+  /// not count as modified.
+  void SetFilmWidth(double width) { this->FilmWidth = std::max(width, 0.0); }
+  double GetFilmWidth() const { return this->FilmWidth; }
   ///@}
 
   ///@{
   /// Radius (cm) of the sides of Plateau borders, were the films straight; 0, the default, for a
   /// dry foam.
   vtkSetClampMacro(BorderRadius, double, 0, VTK_DOUBLE_MAX);
-  vtkGetMacro(BorderRadius, double);
+  double GetBorderRadius() const { return this->BorderRadius; }
   ///@}
 
   /// How a film is drawn.
@@ -56,14 +59,14 @@ public:
   ///@{
   /// One of Styles. Default Plain.
   vtkSetClampMacro(FilmStyle, int, Plain, Texture);
-  vtkGetMacro(FilmStyle, int);
+  int GetFilmStyle() const { return this->FilmStyle; }
   ///@}
 
   ///@{
   /// The picture for the style Texture: its height becomes the film's width, its colours multiply
   /// the film's. Without one films are drawn plain.
   virtual void SetFilmTexture(vtkTexture* texture);
-  vtkTexture* GetFilmTexture() { return this->FilmTexture; }
+  vtkTexture* GetFilmTexture() const { return this->FilmTexture; }
   ///@}
 
   /// Films have soft edges, which are blended with what is behind.
@@ -73,8 +76,7 @@ protected:
   vtkFoamFilmMapper();
   ~vtkFoamFilmMapper() override;
 
-  vtkCompositeMapperHelper2* CreateHelper() override;
-  void CopyMapperValuesToHelper(vtkCompositeMapperHelper2* helper) override;
+  foam::rendering::BatchMapper* NewBatchMapper() override;
 
   double FilmWidth = 2;
   double BorderRadius = 0;

@@ -17,7 +17,8 @@ public:
   Coarsening& operator=(const Coarsening&) = delete;
   virtual ~Coarsening() = default;
 
-  /// Begins anew from a foam; nothing is kept from before. Where it throws, the foam is as before.
+  /// Begins anew from a foam; nothing is kept from before. Its record gets the thresholds that are
+  /// in force. Where it throws, the foam is as before.
   virtual void restart(Foam foam) = 0;
 
   /// Advances by one time step.

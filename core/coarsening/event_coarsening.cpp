@@ -31,11 +31,13 @@ constexpr double kLongestStep = 0.0125;
 constexpr double kSameTime = 1e-7;  // to which T1s are found where the whole foam relaxes
 constexpr double kLookAgain = 1e-4; // at a short film that is not pulled shut
 
+constexpr double kGasError = 1e-7; // of the mean area, that rates may be off by in an interval
+
 // Of the mean spacing; no film is followed further, for its direction is lost in rounding.
 constexpr double kShortestFilm = 1e-5;
 
 constexpr Index kFewBubbles = 256;      // of which all feel an event
-constexpr double kBetweenEvents = 1e-7; // tolerance of equilibria in a step
+constexpr double kBetweenEvents = 1e-6; // tolerance of equilibria in a step
 constexpr int kShortRelaxation = 12;    // iterations along the equilibria of one topology
 
 /// The films by which a bubble can lose a side, the shortest first, but those last whose other
@@ -52,6 +54,14 @@ std::vector<Film> films_to_swap(const Foam& foam, Bubble bubble) {
   return films;
 }
 
+double largest_area(const Foam& foam) {
+  double largest = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    largest = std::max(largest, foam.has_bubble(b) ? foam.target_area[b] : 0);
+  }
+  return largest;
+}
+
 } // namespace
 
 EventCoarsening::EventCoarsening(const CoarseningOptions& options)
@@ -63,6 +73,9 @@ void EventCoarsening::restart(Foam foam) {
   back_off_ = std::move(back_off);
   motion_ = {};
   newton_.forget();
+  rates_change_ = area_rates_change(foam_);
+  longest_ = std::numeric_limits<double>::infinity();
+  note_thresholds();
 }
 
 void EventCoarsening::undo(State state) {
@@ -94,13 +107,14 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
         in_need_.restart(foam_);
         if (in_need_.advance(aborted)) {
           foam_ = in_need_.foam();
+          note_thresholds();
           return true;
         }
         if (in_need_.foam().ended->cause == End::Cause::LastTwo) {
           obstacle = {End::Cause::LastTwo};
         }
       }
-      foam_.ended = end_at(foam_, obstacle->cause, limit_, obstacle->bubble);
+      foam_.ended = end_at(foam_, *obstacle, limit_, options_.thresholds);
       return false;
     }
   } catch (...) {
@@ -111,13 +125,18 @@ bool EventCoarsening::advance(const AbortCheck& aborted) {
   foam_.time = before.foam.time + options_.time_step;
   foam_.report.iterations = iterations_;
   foam_.ended.reset();
-  foam_.thresholds = limit_;
+  note_thresholds();
   return true;
 }
 
+void EventCoarsening::note_thresholds() {
+  whole_ = foam_.bubble_count() <= kFewBubbles;
+  set_limits();
+  foam_.thresholds = limit_;
+}
+
 /// Through a frame. \param whole whether the whole foam relaxes at every event
-std::optional<EventCoarsening::Obstacle> EventCoarsening::integrate(bool whole,
-                                                                    const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::integrate(bool whole, const AbortCheck& aborted) {
   whole_ = whole;
   double remaining = options_.time_step;
   while (true) {
@@ -148,10 +167,8 @@ bool EventCoarsening::stands_still(double time) const {
   return true;
 }
 
-/// Goes through a step from one event to the next.
-std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
-  now_ = 0;
-  changed_ = 0;
+/// Takes the thresholds of the foam as it is, with what is too small for any foam.
+void EventCoarsening::set_limits() {
   const double spacing = foam_.mean_spacing();
   const double mean_area = spacing * spacing;
   limit_ = thresholds(foam_, options_.thresholds);
@@ -160,9 +177,14 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   limit_.t2_area = std::max(limit_.t2_area, kManySidedArea * mean_area);
   room_ = whole_ ? kManySidedArea * mean_area : limit_.t2_area;
   smallest_area_ = kSmallestArea * mean_area;
+}
 
-  if (end_at(foam_, End::Cause::AllVanish, limit_).area <= limit_.t2_area &&
-      foam_.bubble_count() > 2) {
+/// Goes through a step from one event to the next.
+std::optional<Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
+  now_ = 0;
+  changed_ = 0;
+  set_limits();
+  if (foam_.bubble_count() > 2 && largest_area(foam_) <= limit_.t2_area) {
     return Obstacle{End::Cause::AllVanish};
   }
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
@@ -179,8 +201,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step(const AbortCheck&
   return obstacle;
 }
 
-std::optional<EventCoarsening::Obstacle>
-EventCoarsening::step_by_patches(const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::step_by_patches(const AbortCheck& aborted) {
   for (const Film f : foam_.film_slots()) {
     if (foam_.bends(f) && film_is_due(f)) {
       schedule({.time = now_, .kind = Event::Kind::Close, .film = f});
@@ -211,7 +232,7 @@ EventCoarsening::step_by_patches(const AbortCheck& aborted) {
 /// Follows the whole foam's equilibrium to where the next event is expected, expects it anew from
 /// there, be it earlier, and so finds its time as Newton's method finds a root. The end of a small
 /// bubble, which the films around do not feel, needs no equilibrium.
-std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
   constexpr Obstacle no_equilibrium{End::Cause::NoEquilibrium};
   bool at_end = false;
   for (int left = kEvents + kEventsPerBubble * foam_.bubble_count(); left > 0; --left) {
@@ -222,8 +243,8 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const Abort
     if (!event && at_end) {
       return std::nullopt;
     }
-    const bool vanishes =
-        event && event->kind == Event::Kind::Collapse && foam_.sides[event->bubble] <= 3;
+    const bool vanishes = !rates_change_ && event && event->kind == Event::Kind::Collapse &&
+                          foam_.sides[event->bubble] <= 3;
     if (vanishes) {
       now_ = event->time;
       motion_.bring_all(foam_, now_);
@@ -254,7 +275,10 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::step_whole(const Abort
 /// Whether there is a film that may have closed on the way.
 bool EventCoarsening::has_short_film() const {
   for (const Film f : foam_.film_slots()) {
-    if (foam_.bends(f) && foam_.length(f.half()) < limit_.t1_length && spares_sides(foam_, f)) {
+    const Half h = f.half();
+    // An arc is no shorter than its chord.
+    if (foam_.bends(f) && norm(foam_.chord(h)) < limit_.t1_length &&
+        foam_.length(h) < limit_.t1_length && spares_sides(foam_, f)) {
       return true;
     }
   }
@@ -269,14 +293,15 @@ void EventCoarsening::balance_gas() {
     return;
   }
   const AreaRate rate = area_rate(view_of(std::as_const(foam_)), options_.permeability);
-  double lost = 0;
+  const bool periodic = foam_.surroundings.periodic();
+  double lost = periodic ? foam_.surroundings.lattice.area() : 0;
   double share = 0; // the gas of those that take part
   std::vector<Bubble> taking_part;
   for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b)) {
       const double gas = foam_.target_area[b];
-      lost += foam_.area(b) - gas;
-      if (foam_.surroundings.periodic() || rate.takes_a_share(b)) {
+      lost += (periodic ? 0 : foam_.area(b)) - gas;
+      if (periodic || rate.takes_a_share(b)) {
         share += gas;
         taking_part.push_back(b);
       }
@@ -292,32 +317,65 @@ double EventCoarsening::same_time() const {
   return kSameTime * unit_of_time_;
 }
 
-/// Brings the whole foam to an instant, or to one before it from which on it has no equilibrium of
-/// this topology that Newton's method would find at once. \returns false if there is none.
+/// Brings the whole foam to an instant, or to one before it: where rates would change too much on
+/// the way, or from which on it has no equilibrium of this topology that Newton's method would find
+/// at once. \returns false if there is none.
 bool EventCoarsening::arrive(double time, const AbortCheck& aborted) {
   const State before{foam_, motion_, back_off_};
   const double nearest = 0.5 * same_time();
-  double there = time;
+  double there = std::clamp(time, now_ - longest_, now_ + longest_);
   do {
-    if (there == step_) {
-      motion_.finish(foam_, there);
-      balance_gas();
-    } else {
-      motion_.bring_all(foam_, there);
-    }
-    relax_whole(there == step_ ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
-    if (foam_.report.converged) {
-      now_ = there;
-      return true;
+    const bool at_end = there == step_;
+    at_end ? motion_.finish(foam_, there) : motion_.bring_all(foam_, there);
+    double part = 0.5;
+    if (!rates_change_ || correct_areas(there - now_, part, aborted)) {
+      if (at_end) {
+        balance_gas();
+      }
+      relax_whole(at_end ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
+      if (foam_.report.converged) {
+        now_ = there;
+        return true;
+      }
     }
     undo(before);
-    there = now_ + 0.5 * (there - now_);
+    there = now_ + part * (there - now_);
   } while (std::abs(there - now_) > nearest);
   return false;
 }
 
+/// Takes into account at the end of an interval (s) what the rates r have become there. With r₀ and
+/// r₀' known at its beginning areas came by h·r₀ + ½h²·r₀'; with r₁ they come, to the next order,
+/// by ⅓h·(2r₀ + r₁) + ⅙h²·r₀'. The difference says how far off the first is, and so how long an
+/// interval may be. \param part of the interval that would do if it is too long \returns whether
+/// it does, and has an equilibrium
+bool EventCoarsening::correct_areas(double interval, double& part, const AbortCheck& aborted) {
+  relax_whole(kBetweenEvents, 0, kShortRelaxation, aborted);
+  if (!foam_.report.converged) {
+    return false;
+  }
+  const Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+  double error = 0;
+  for (const Bubble b : foam_.bubble_slots()) {
+    if (foam_.has_bubble(b)) {
+      const double correction = interval / 3 * (rates[b] - motion_.area_rate(b));
+      foam_.target_area[b] += correction;
+      error = std::max(error, std::abs(correction));
+    }
+  }
+  const double room = std::cbrt(kGasError * foam_.mean_area() / error); // error ~ interval³
+  const double shortest = kLookAgain * unit_of_time_;                   // where rates have a kink
+  longest_ = std::max(std::abs(interval) * std::clamp(0.9 * room, 0.1, 4.0), shortest);
+  if (room < 1 && std::abs(interval) > shortest) {
+    part = std::min(longest_ / std::abs(interval), 0.9);
+    return false;
+  }
+  return true;
+}
+
 /// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
+  set_limits();
   Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
   const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
@@ -325,6 +383,9 @@ void EventCoarsening::predict_whole() {
     const double since = now_ - predicted_;
     const double bend = (step_ - now_) / since;
     motion_.take_whole(newton_.region(), *response, bend > 0 && bend < 1.5 ? bend : 0);
+    if (rates_change_) {
+      motion_.bend_areas(area_rate_changes(foam_, options_.permeability, motion_.rates().angles));
+    }
   } else {
     motion_.rest();
   }
@@ -348,10 +409,11 @@ void EventCoarsening::schedule_all() {
 /// \pre the bubble stands at this instant
 void EventCoarsening::schedule_bubble(Bubble bubble) {
   queue_.cancel(bubble);
+  const double excess = std::max(foam_.target_area[bubble] - collapse_area(bubble), 0.0);
   const double rate = motion_.area_rate(bubble);
-  if (rate < 0) {
-    const double excess = foam_.target_area[bubble] - collapse_area(bubble);
-    schedule({.time = now_ + std::max(excess, 0.0) / -rate,
+  const double root = std::sqrt(rate * rate - 2 * motion_.area_bend(bubble) * excess);
+  if (root > rate) { // and it does come to that area
+    schedule({.time = now_ + 2 * excess / (root - rate),
               .kind = Event::Kind::Collapse,
               .bubble = bubble});
   }
@@ -413,8 +475,7 @@ void EventCoarsening::schedule(const Event& event) {
   }
 }
 
-std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& event,
-                                                                 const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::handle(const Event& event, const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
     return foam_.has_bubble(event.bubble) ? handle_collapse(event.bubble, aborted) : std::nullopt;
   }
@@ -436,8 +497,7 @@ std::optional<EventCoarsening::Obstacle> EventCoarsening::handle(const Event& ev
   return std::nullopt;
 }
 
-std::optional<EventCoarsening::Obstacle>
-EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
+std::optional<Obstacle> EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   motion_.bring(foam_, rings_around(foam_, std::array{bubble}, kRings), now_);
   const double target = foam_.target_area[bubble];
   if (std::abs(foam_.area(bubble) - target) > kLargestChange * target) {
@@ -460,7 +520,7 @@ EventCoarsening::handle_collapse(Bubble bubble, const AbortCheck& aborted) {
   return std::nullopt;
 }
 
-EventCoarsening::Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
+Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
   const bool last_two = !foam_.surroundings.periodic() && foam_.bubble_count() == 2;
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }

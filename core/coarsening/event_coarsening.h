@@ -17,10 +17,10 @@ namespace foam {
 /// Coarsening that moves from one topological event to the next.
 ///
 /// Between events every target area is linear in time, by von Neumann's law or, where that does not
-/// hold (AreaRate), to the first order of the step, so the instant at which a bubble reaches the T2
-/// area is known; the instant at which a film reaches the T1 length is predicted from the
-/// equilibrium's response to the areas' rates. A frame goes in steps short enough for that, each of
-/// which ends in an equilibrium of the whole foam to the tolerance.
+/// hold (AreaRate), quadratic, with the change of its rate that the response gives, so the instant
+/// at which a bubble reaches the T2 area is known; the instant at which a film reaches the T1
+/// length is predicted from the equilibrium's response to the areas' rates. A frame goes in steps
+/// short enough for that, each of which ends in an equilibrium of the whole foam to the tolerance.
 ///
 /// A foam of few bubbles feels an event everywhere. There the whole foam relaxes at every event,
 /// before and after: the instant of a T1 is the one at which the film has the T1 length in
@@ -45,18 +45,15 @@ private:
     Field<Bubble, double> back_off;
   };
 
-  /// What a frame cannot get over.
-  struct Obstacle {
-    End::Cause cause = End::Cause::NoEquilibrium;
-    Bubble bubble = kNone; ///< that is to vanish
-  };
-
   std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
   bool stands_still(double time) const;
+  void set_limits();
+  void note_thresholds();
   std::optional<Obstacle> step(const AbortCheck& aborted);
   std::optional<Obstacle> step_by_patches(const AbortCheck& aborted);
   std::optional<Obstacle> step_whole(const AbortCheck& aborted);
   bool arrive(double time, const AbortCheck& aborted);
+  bool correct_areas(double interval, double& part, const AbortCheck& aborted);
   void predict_whole();
   /// At which a foam may leave equilibrium along its response, 1/s: in a step by so much that one
   /// more step of Newton's method is enough.
@@ -98,10 +95,12 @@ private:
   double now_ = 0;                 ///< s from the beginning of the step
   double changed_ = 0;             ///< when topology changed last in it, s likewise
   double predicted_ = 0;           ///< when the whole foam's response was found last, s likewise
+  double longest_ = 0;             ///< interval through which rates are known well enough, s
+  bool rates_change_ = false;      ///< between events
   double unit_of_time_ = 0;        ///< in which a seventh side brings a bubble the mean area, s
-  Thresholds limit_;               ///< in this step
-  double room_ = 0;                ///< of a bubble that is to lose sides, in this step, cm²
-  double smallest_area_ = 0;       ///< of a bubble, in this step, cm²
+  Thresholds limit_;               ///< at this instant
+  double room_ = 0;                ///< of a bubble that is to lose sides, cm²
+  double smallest_area_ = 0;       ///< of a bubble, cm²
   Field<Bubble, double> back_off_; ///< the part of the T2 area that it waits for
   bool whole_ = false;             ///< the whole foam relaxes at every event
   int iterations_ = 0;

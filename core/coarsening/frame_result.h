@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "coarsening/end.h"
+#include "coarsening/options.h"
 #include "mesh/foam.h"
 #include "topology/collapse_operations.h"
 
@@ -11,8 +12,8 @@ namespace foam {
 
 /// What a frame has done on the view of a foam.
 struct FrameResult {
-  std::optional<End::Cause> end; ///< why the foam cannot go on; the frame is not performed then
-  Thresholds limit;              ///< in force
+  std::optional<Obstacle> end; ///< why the foam cannot go on; the frame is not performed then
+  Thresholds limit;            ///< in force in the next frame; in this one if it is not performed
   OperationCount operations;
   EquilibriumReport report;
 
@@ -20,16 +21,16 @@ struct FrameResult {
 };
 
 /// Notes a frame in the foam: in the next one if it has been performed, or else in the last.
-inline void note(Foam& foam, const FrameResult& result, double time_step) {
+inline void note(Foam& foam, const FrameResult& result, const CoarseningOptions& options) {
   foam.ended.reset();
   if (!result.performed()) {
-    foam.ended = end_at(foam, *result.end, result.limit);
+    foam.ended = end_at(foam, *result.end, result.limit, options.thresholds);
     return;
   }
   count(foam, result.operations);
   foam.report = result.report;
   foam.thresholds = result.limit;
-  foam.time += time_step;
+  foam.time += options.time_step;
 }
 
 } // namespace foam

@@ -54,6 +54,7 @@ void Motion::begin(const Foam& foam, Field<Bubble, double> area_rates, double no
   junctions_.begin(foam.position.size(), now);
   angles_.begin(foam.film_angle.size(), now);
   pressures_.begin(foam.pressure.size(), now);
+  area_bends_.assign(area_rates.size(), 0);
   area_rates_ = std::move(area_rates);
   begin_ = now;
   if (foam.surroundings.has_walls()) { // what has come to a wall since may have been moving
@@ -151,7 +152,9 @@ Vec2 Motion::chord_rate(const Foam& foam, Film film) const {
 }
 
 void Motion::bring_bubble(Foam& foam, Bubble bubble, double now) {
-  foam.target_area[bubble] += (now - pressures_.time[bubble]) * area_rates_[bubble];
+  const double before = pressures_.time[bubble];
+  const double middle = 0.5 * ((before - begin_) + (now - begin_));
+  foam.target_area[bubble] += (now - before) * (area_rates_[bubble] + middle * area_bends_[bubble]);
   pressures_.bring(foam.pressure, bubble, now);
 }
 

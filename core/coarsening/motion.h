@@ -26,8 +26,13 @@ public:
   void take_patch(const Region& region, const newton::StepView& response);
   /// Nothing moves, but target areas change.
   void rest();
+  /// The rates of target areas change evenly from the beginning on, by so much, cm²/s².
+  void bend_areas(Field<Bubble, double> changes) { area_bends_ = std::move(changes); }
   /// A target area changes at another rate from now on. \pre it has been brought to now
-  void set_area_rate(Bubble bubble, double rate) { area_rates_[bubble] = rate; }
+  void set_area_rate(Bubble bubble, double rate) {
+    area_rates_[bubble] = rate;
+    area_bends_[bubble] = 0;
+  }
   /// What has become a piece of a container's wall beside the bubble does not move any more.
   void hold_wall(const Foam& foam, Bubble bubble);
 
@@ -41,7 +46,11 @@ public:
   Rates rates() const { return {junctions_.rate, angles_.rate, pressures_.rate}; }
   /// What they will be if they go on changing as they did; until the next call.
   Rates expected();
-  double area_rate(Bubble bubble) const { return area_rates_[bubble]; }
+  /// Where the bubble stands.
+  double area_rate(Bubble bubble) const {
+    return area_rates_[bubble] + (pressures_.time[bubble] - begin_) * area_bends_[bubble];
+  }
+  double area_bend(Bubble bubble) const { return area_bends_[bubble]; }
   double angle_rate(Film film) const { return angles_.rate[film]; }
   Vec2 chord_rate(const Foam& foam, Film film) const;
 
@@ -65,7 +74,8 @@ private:
   Trajectory<Junction, Vec2> junctions_; ///< cm
   Trajectory<Film, double> angles_;      ///< rad
   Trajectory<Bubble, double> pressures_; ///< N/cm²
-  Field<Bubble, double> area_rates_;     ///< of the targets, cm²/s
+  Field<Bubble, double> area_rates_;     ///< of the targets at the beginning, cm²/s
+  Field<Bubble, double> area_bends_;     ///< by which those change, cm²/s²
   double begin_ = 0;                     ///< s
 };
 

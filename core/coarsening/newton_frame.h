@@ -108,6 +108,12 @@ public:
     return try_to_advance(mesh, true, in_need ? in_need : on_its_own(mesh));
   }
 
+  /// The thresholds in force for a mesh.
+  Thresholds limits(const FoamView& mesh) {
+    const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
+    return limits(mesh, sum_bubbles(executor_, rate.mesh, rate));
+  }
+
 private:
   static constexpr double kMostSteps = 16;
   static constexpr double kFallbackSteps = 4; // times as many steps
@@ -124,7 +130,16 @@ private:
     for (int step = 0; step < steps && result.performed(); ++step) {
       take_step(mesh, rules, equilibrate, result);
     }
+    if (result.performed()) {
+      result.limit = limits(mesh);
+    }
     return result;
+  }
+
+  Thresholds limits(const FoamView& mesh, const BubbleSums& sums) {
+    return newton_thresholds(
+        thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds),
+        std::sqrt(sums.mean_area()));
   }
 
   /// \param result for the thresholds in force, which a fallback goes beyond, and the end where
@@ -133,13 +148,12 @@ private:
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
     const double spacing = std::sqrt(sums.mean_area());
-    Thresholds limit = newton_thresholds(
-        thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds), spacing);
+    Thresholds limit = limits(mesh, sums);
     result.limit = limit;
     const double largest =
         executor_.reduce(mesh.bubble_slots(), 0.0, detail::AreaOf{rate.mesh}, parallel::Larger{});
     if (sums.bubbles > 2 && largest <= limit.t2_area) {
-      result.end = End::Cause::AllVanish;
+      result.end = Obstacle{End::Cause::AllVanish};
     }
     limit.t1_length = std::max(limit.t1_length, fallback ? kFallbackT1 * spacing : 0);
     return {.limit = limit,
@@ -164,7 +178,7 @@ private:
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
     if (!mesh.surroundings.periodic() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
-      result.end = End::Cause::LastTwo;
+      result.end = Obstacle{End::Cause::LastTwo};
       return;
     }
     diffuse(executor_, mesh, rate, sums, rules.time_step);
@@ -176,7 +190,7 @@ private:
     result.operations.t1 += found.t1;
     if (!(found.report.residual < kNearlyConverged) ||
         !measure_equilibrium(executor_, const_view(mesh)).possible) {
-      result.end = End::Cause::NoEquilibrium;
+      result.end = Obstacle{End::Cause::NoEquilibrium};
     }
   }
 

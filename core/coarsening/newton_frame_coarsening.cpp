@@ -11,6 +11,7 @@ NewtonFrameCoarsening::NewtonFrameCoarsening(const CoarseningOptions& options, i
       in_need_(options.equilibrator) {}
 
 void NewtonFrameCoarsening::restart(Foam foam) {
+  foam.thresholds = frame_.limits(view_of(foam));
   foam_ = std::move(foam);
 }
 
@@ -32,7 +33,7 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
   if (result.performed()) {
     foam_ = std::move(next);
   }
-  note(foam_, result, options_.time_step);
+  note(foam_, result, options_);
   return result.performed();
 }
 

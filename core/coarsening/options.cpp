@@ -19,7 +19,8 @@ double time_step(const CoarseningOptions& options, const FoamRecord& foam, doubl
   if (options.time_step > 0) {
     return options.time_step;
   }
-  if (foam.time_step > 0) {
+  const double constant = von_neumann_constant(foam.surface_tension, options.permeability);
+  if (foam.time_step > 0 && foam.growth_constant == constant) {
     return foam.time_step;
   }
   const double permeability = options.permeability > 0 ? options.permeability : 1;

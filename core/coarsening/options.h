@@ -35,8 +35,8 @@ struct CoarseningOptions {
 };
 
 /// Δt with which a foam is to coarsen, s: that of the options or, where it is automatic, the one
-/// with which the foam has coarsened so far or, in a foam that has not, one of which 300 leave
-/// about a third of the bubbles.
+/// with which the foam has coarsened so far or, in a foam that has not, or at another rate, one of
+/// which 300 leave about a third of the bubbles.
 /// \param mean_area of its bubbles' targets, cm²
 double time_step(const CoarseningOptions& options, const FoamRecord& foam, double mean_area);
 

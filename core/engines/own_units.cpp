@@ -4,13 +4,17 @@
 #include <utility>
 #include <vector>
 
+#include "physics/gas.h"
+
 namespace foam {
 namespace {
 
 CoarseningOptions in_units(CoarseningOptions options, const UnitChange& change) {
   options.permeability *= change.area() / change.tension;
-  options.thresholds.t1_length *= change.length;
-  options.thresholds.t2_area *= change.area();
+  ThresholdOptions& asked = options.thresholds;
+  const Thresholds limit = in_units(Thresholds{asked.t1_length, asked.t2_area}, change);
+  asked.t1_length = limit.t1_length;
+  asked.t2_area = limit.t2_area;
   return options;
 }
 
@@ -96,9 +100,7 @@ void OwnUnitsCoarsening::restart(Foam foam) {
   const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
   CoarseningOptions options = in_units(options_, own);
   options.time_step = foam.time_step = time_step(options_, foam, foam.mean_area());
-  if (foam.thresholds == Thresholds{}) {
-    foam.thresholds = thresholds(foam, options_.thresholds);
-  }
+  foam.growth_constant = von_neumann_constant(foam.surface_tension, options_.permeability);
   change_units(foam, own);
   auto anew = coarsening_ && options == its_options_ ? nullptr : make_(options);
   (anew ? *anew : *coarsening_).restart(std::move(foam));

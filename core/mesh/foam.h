@@ -22,6 +22,21 @@ struct EquilibriumReport {
   friend bool operator==(const EquilibriumReport&, const EquilibriumReport&) = default;
 };
 
+/// How small a film or a bubble is when it gives way.
+struct Thresholds {
+  double t1_length = 0; ///< δ_T1, cm
+  double t2_area = 0;   ///< δ_T2, cm²
+
+  friend bool operator==(const Thresholds&, const Thresholds&) = default;
+};
+
+/// Where thresholds come from.
+enum class ThresholdKind : std::uint8_t {
+  Absolute, ///< the two values (thesis 3.2.2)
+  Relative, ///< Weygand's, from alpha
+  Automatic ///< a small part of the bubbles' own size
+};
+
 /// Why a foam cannot go on, in figures of the last one that there is.
 struct End {
   enum class Cause : std::uint8_t {
@@ -35,19 +50,13 @@ struct End {
   std::int64_t bubble = 0; ///< the one that is to vanish; the smallest if there is no equilibrium
   Index sides = 0;         ///< its films
   double area = 0;         ///< its A^τ, cm²
-  double t2_area = 0;      ///< in force, at which bubbles vanish, cm²
-  double t1_length = 0;    ///< in force, at which films may swap, cm
-  Index bubbles = 0;       ///< that are left
+  double area_ahead = 0; ///< that it would have in the next frame if that turns it inside out, cm²
+  Thresholds limit;      ///< in force
+  ThresholdKind thresholds = ThresholdKind::Automatic; ///< where those come from
+  bool least_t2_area = false;                          ///< no smaller one would be in force
+  Index bubbles = 0;                                   ///< that are left
 
   friend bool operator==(const End&, const End&) = default;
-};
-
-/// How small a film or a bubble is when it gives way.
-struct Thresholds {
-  double t1_length = 0; ///< δ_T1, cm
-  double t2_area = 0;   ///< δ_T2, cm²
-
-  friend bool operator==(const Thresholds&, const Thresholds&) = default;
 };
 
 /// What is known about a foam as a whole.
@@ -61,7 +70,8 @@ struct FoamRecord {
   EquilibriumReport report;   ///< of the last equilibration
   std::optional<End> ended;   ///< of a run that ended with this foam
   double time_step = 0;       ///< with which it coarsens, s; 0 if it has not begun to
-  Thresholds thresholds;      ///< of the last time step, or of the first that is to come
+  double growth_constant = 0; ///< von Neumann's K with which it does, cm²/s
+  Thresholds thresholds;      ///< in force in the time step that is to come
 
   friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };

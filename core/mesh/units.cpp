@@ -62,6 +62,10 @@ Lattice in_units(const Lattice& lattice, const UnitChange& change) {
           change.length * lattice.second};
 }
 
+Thresholds in_units(const Thresholds& thresholds, const UnitChange& change) {
+  return {change.length * thresholds.t1_length, change.area() * thresholds.t2_area};
+}
+
 FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
   FoamRecord result = record;
   if (record.surroundings.periodic()) {
@@ -70,11 +74,11 @@ FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
   result.surface_tension *= change.tension;
   if (result.ended) {
     result.ended->area *= change.area();
-    result.ended->t2_area *= change.area();
-    result.ended->t1_length *= change.length;
+    result.ended->area_ahead *= change.area();
+    result.ended->limit = in_units(result.ended->limit, change);
   }
-  result.thresholds.t1_length *= change.length;
-  result.thresholds.t2_area *= change.area();
+  result.growth_constant *= change.area();
+  result.thresholds = in_units(result.thresholds, change);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <numbers>
+#include <span>
 
 #include "mesh/element_measures.h"
 #include "mesh/foam_view.h"
@@ -75,10 +76,12 @@ struct AreaRate {
     return mesh.surroundings.closed() && measured(bubble);
   }
 
-private:
+  /// Whether the rate changes as the bubble does; von Neumann's stays while topology does.
   FOAM_HOST_DEVICE bool measured(Bubble bubble) const {
     return !mesh.has_uniform_tension() || at_wall(bubble);
   }
+
+private:
   FOAM_HOST_DEVICE bool at_wall(Bubble bubble) const {
     return mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble);
   }
@@ -155,5 +158,13 @@ void diffuse(Executor& executor, const FoamView& mesh, const Rate& rate, const B
 
 /// The rates of all bubbles, 0 for those that are gone; a closed foam's total is conserved.
 Field<Bubble, double> area_rates(const Foam& foam, double kappa);
+
+/// Whether there are bubbles whose rates change between topological events.
+bool area_rates_change(const Foam& foam);
+
+/// How fast the rates of a foam in equilibrium change as it moves, cm²/s². What films let through
+/// there is κ·T·2α. \param angle_rates of films, rad/s
+Field<Bubble, double> area_rate_changes(const Foam& foam, double kappa,
+                                        std::span<const double> angle_rates);
 
 } // namespace foam

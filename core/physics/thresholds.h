@@ -7,13 +7,6 @@
 
 namespace foam {
 
-/// Where thresholds come from.
-enum class ThresholdKind {
-  Absolute, ///< the two values (thesis 3.2.2)
-  Relative, ///< Weygand's, from alpha
-  Automatic ///< a small part of the bubbles' own size
-};
-
 /// The user's choice of thresholds.
 struct ThresholdOptions {
   ThresholdKind kind = ThresholdKind::Automatic;

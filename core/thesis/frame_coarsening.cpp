@@ -2,6 +2,7 @@
 #include "thesis/frame_coarsening.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "coarsening/end.h"
@@ -97,6 +98,19 @@ bool comes_to_an_end(const Foam& foam, double t2_area) {
   return end;
 }
 
+/// The bubble of the smallest area, if that is negative, of those that are not to vanish: one whose
+/// target is below the T2 area may be flat or folded before it does, a film of it not being short.
+std::optional<Obstacle> inside_out(const Foam& foam, double t2_area) {
+  std::optional<Obstacle> found;
+  for_each_bubble(foam, [&](Bubble b) {
+    const double area = foam.area(b);
+    if (foam.target_area[b] > t2_area && area < (found ? found->area_ahead : 0)) {
+      found = Obstacle{End::Cause::NoEquilibrium, b, area};
+    }
+  });
+  return found;
+}
+
 } // namespace
 
 FrameCoarsening::FrameCoarsening(const CoarseningOptions& options,
@@ -105,6 +119,7 @@ FrameCoarsening::FrameCoarsening(const CoarseningOptions& options,
 
 void FrameCoarsening::restart(Foam foam) {
   thesis::require_one_tension(foam);
+  foam.thresholds = thresholds(foam, options_.thresholds);
   foam_ = std::move(foam);
   equilibrator_->forget();
 }
@@ -116,7 +131,7 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   diffuse(next, options_.permeability, options_.time_step);
   next.ended.reset();
   if (comes_to_an_end(next, limit.t2_area)) {
-    foam_.ended = end_at(foam_, End::Cause::LastTwo, limit);
+    foam_.ended = end_at(foam_, {End::Cause::LastTwo}, limit, options_.thresholds);
     return false;
   }
   const ThesisRules rules{limit, options_.two_sided_bubbles};
@@ -124,7 +139,11 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   perform_topological_operations(next, rules, options_);
   keep_targets_above(next, kLeastTarget * spacing * spacing);
   equilibrator_->equilibrate(next, limit.t1_length, aborted);
-  next.thresholds = limit;
+  next.thresholds = thresholds(next, options_.thresholds);
+  if (const auto obstacle = inside_out(next, next.thresholds.t2_area)) {
+    foam_.ended = end_at(foam_, *obstacle, limit, options_.thresholds);
+    return false;
+  }
   next.time += options_.time_step;
   foam_ = std::move(next);
   return true;

@@ -4,6 +4,9 @@
 // it in parallel on an executor (parallel/host.h).
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "coarsening/frame_result.h"
 #include "coarsening/options.h"
 #include "parallel/flags.h"
@@ -24,6 +27,27 @@ struct IsGone {
   FOAM_HOST_DEVICE bool operator()(Bubble bubble) const {
     return mesh.has_bubble(bubble) &&
            std::min(mesh.target_area[bubble], mesh.area(bubble)) <= t2_area;
+  }
+};
+
+/// The smallest area of bubbles that are not to vanish, and whose it is.
+struct SmallestArea {
+  double area = std::numeric_limits<double>::infinity(); ///< cm²
+  Bubble bubble = kNone;
+
+  friend FOAM_HOST_DEVICE SmallestArea operator+(const SmallestArea& a, const SmallestArea& b) {
+    return b.area < a.area ? b : a;
+  }
+};
+
+struct AreaToStay {
+  ConstFoamView mesh;
+  double t2_area = 0;
+
+  FOAM_HOST_DEVICE SmallestArea operator()(Bubble bubble) const {
+    return mesh.has_bubble(bubble) && mesh.target_area[bubble] > t2_area
+               ? SmallestArea{mesh.area(bubble), bubble}
+               : SmallestArea{};
   }
 };
 
@@ -53,15 +77,14 @@ public:
     thesis::require_one_tension(mesh);
     const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
     const BubbleSums sums = sum_bubbles(executor_, rate.mesh, rate);
-    const Thresholds limit =
-        thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds);
+    const Thresholds limit = limits(mesh, sums);
     FrameResult result;
     result.limit = limit;
     diffuse(executor_, mesh, rate, sums, options_.time_step);
     if (!mesh.surroundings.closed() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, IsGone{rate.mesh, limit.t2_area},
                          parallel::Or{})) {
-      result.end = End::Cause::LastTwo;
+      result.end = Obstacle{End::Cause::LastTwo};
       return result;
     }
     const ThesisRules rules{limit, options_.two_sided_bubbles};
@@ -76,10 +99,29 @@ public:
     jacobi_.prepare(mesh);
     result.report = thesis::sweep_to_rest(executor_, mesh, options_.equilibrator, aborted,
                                           [&] { return jacobi_.sweep(mesh); });
+    const Thresholds ahead = limits(mesh);
+    const SmallestArea smallest =
+        executor_.reduce(mesh.bubble_slots(), SmallestArea{},
+                         AreaToStay{const_view(mesh), ahead.t2_area}, parallel::Add{});
+    if (smallest.area < 0) {
+      result.end = Obstacle{End::Cause::NoEquilibrium, smallest.bubble, smallest.area};
+    } else {
+      result.limit = ahead;
+    }
     return result;
   }
 
+  /// The thresholds in force for a mesh.
+  Thresholds limits(const FoamView& mesh) {
+    const AreaRate rate = area_rate(const_view(mesh), options_.permeability);
+    return limits(mesh, sum_bubbles(executor_, rate.mesh, rate));
+  }
+
 private:
+  Thresholds limits(const FoamView& mesh, const BubbleSums& sums) {
+    return thresholds(executor_, mesh, sums.target_area, sums.bubbles, options_.thresholds);
+  }
+
   Executor& executor_;
   CoarseningOptions options_;
   Reservations<Executor> reservations_;

@@ -24,12 +24,13 @@ public:
   template <class... Parts>
   explicit ResidentCoarsening(const CoarseningOptions& options, std::unique_ptr<Coarsening> in_need,
                               Parts&&... parts)
-      : time_step_(options.time_step), in_need_(std::move(in_need)),
+      : options_(options), in_need_(std::move(in_need)),
         frame_(gpu_, options, std::forward<Parts>(parts)...), sampler_(gpu_), statistics_(gpu_) {}
 
   void restart(Foam foam) override {
     foam_ = std::move(foam);
     now_.upload(foam_);
+    foam_.thresholds = frame_.limits(now_.view());
     names_ = BubbleNames<Gpu>(foam_.bubble_id);
     fetched_ = true;
   }
@@ -49,7 +50,7 @@ public:
         return advance_on_processor(aborted);
       }
     }
-    note(foam_, result, time_step_);
+    note(foam_, result, options_);
     return result.performed();
   }
 
@@ -84,7 +85,7 @@ private:
     return goes_on;
   }
 
-  double time_step_; ///< s
+  CoarseningOptions options_;
   std::unique_ptr<Coarsening> in_need_;
   Gpu gpu_;
   Frame frame_;

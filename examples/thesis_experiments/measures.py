@@ -3,6 +3,7 @@
 import warnings
 
 import numpy as np
+import shapely
 from shapely.errors import ShapelyDeprecationWarning
 from shapely.geometry import LineString, MultiLineString
 from shapely.strtree import STRtree
@@ -69,17 +70,25 @@ def inverted_junctions(films):
     return int(np.count_nonzero(junction_angles(films).sum(axis=1) > 3 * np.pi))
 
 
+def neighbourhoods(lines):
+    """A function of a line that gives the numbers of those whose bounds it meets."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ShapelyDeprecationWarning)
+        tree = STRtree(lines)
+    if hasattr(shapely, "STRtree"):  # Shapely 2
+        return tree.query
+    number = {id(line): i for i, line in enumerate(lines)}
+    return lambda line: [number[id(other)] for other in tree.query(line)]
+
+
 def crossing_films(films):
     """The number of pairs of films, as sampled, that cross each other."""
     lines = [LineString(line) for line in polylines(films)]
     if MultiLineString(lines).is_simple:
         return 0
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ShapelyDeprecationWarning)  # Shapely 2's trees answer with numbers
-        tree = STRtree(lines)
-    number = {id(line): i for i, line in enumerate(lines)}
-    return sum(number[id(other)] > i and (line.crosses(other) or line.overlaps(other))
-               for i, line in enumerate(lines) for other in tree.query(line))
+    near = neighbourhoods(lines)
+    return sum(line.crosses(lines[other]) or line.overlaps(lines[other])
+               for i, line in enumerate(lines) for other in near(line) if other > i)
 
 
 def negative_areas(bubbles):

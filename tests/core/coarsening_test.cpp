@@ -416,12 +416,18 @@ TEST_P(OwnTensions, BubblesGrowByTheGasThatTheirFilmsLetThrough) {
   ASSERT_TRUE(coarsening->advance({}));
   const Foam& after = coarsening->foam();
   ASSERT_EQ(after.topology, before.topology);
-  for (const Bubble b : before.bubble_slots()) {
-    double inflow = 0;
-    for_each_half(before, b, [&](Half h) {
-      inflow += before.length(h) * (before.pressure[before.right(h)] - before.pressure[b]);
+  const auto inflow = [](const Foam& foam, Bubble b) {
+    double sum = 0;
+    for_each_half(foam, b, [&](Half h) {
+      sum += foam.length(h) * (foam.pressure[foam.right(h)] - foam.pressure[b]);
     });
-    EXPECT_NEAR((after.area(b) - before.area(b)) / time_step, inflow, 1e-6) << b.index();
+    return sum;
+  };
+  for (const Bubble b : before.bubble_slots()) {
+    const double at_first = inflow(before, b);
+    const double expected =
+        GetParam() == Stepping::Events ? 0.5 * (at_first + inflow(after, b)) : at_first;
+    EXPECT_NEAR((after.area(b) - before.area(b)) / time_step, expected, 1e-6) << b.index();
   }
 }
 

@@ -33,6 +33,29 @@ TEST_P(ManyFoams, ConvergeAsThresholdsShrink) {
   EXPECT_GE(same, 8);
 }
 
+/// Rates change all the time where there are walls, or tensions of films' own.
+class ManyFoamsOfChangingRates : public testing::TestWithParam<std::pair<Boundary, double>> {};
+
+TEST_P(ManyFoamsOfChangingRates, HaveEventsThatDoNotDependOnTheFrame) {
+  const auto [boundary, unevenness] = GetParam();
+  for (std::uint64_t seed = 3; seed < 23; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foam foam = random_foam(
+        static_cast<Index>(20 * std::pow(10, static_cast<double>(seed - 3) / 19)), boundary, seed);
+    if (unevenness > 0) {
+      pull_unevenly(foam, unevenness, seed);
+      equilibrate(foam);
+    }
+    expect_same_events(history(foam, frames_of(0.1), 1, 0.1),
+                       history(foam, frames_of(0.00125), 1, 0.1), 1e-6);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Everywhere, ManyFoamsOfChangingRates,
+                         testing::Values(std::pair{Boundary::Fixed, 0.0},
+                                         std::pair{Boundary::Periodic, 0.1},
+                                         std::pair{Boundary::Fixed, 0.1}));
+
 INSTANTIATE_TEST_SUITE_P(Everywhere, ManyFoams,
                          testing::Values(Boundary::Periodic, Boundary::Free));
 

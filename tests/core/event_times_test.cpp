@@ -10,12 +10,23 @@ namespace {
 struct Case {
   Boundary boundary;
   std::uint64_t seed;
+  double unevenness = 0; ///< of films' tensions, a part of 2γ
 };
 
-class EventTimes : public testing::TestWithParam<Case> {};
+class Frames : public testing::TestWithParam<Case> {
+protected:
+  static Foam foam_of(Index bubbles) {
+    Foam foam = random_foam(bubbles, GetParam().boundary, GetParam().seed);
+    if (GetParam().unevenness > 0) {
+      pull_unevenly(foam, GetParam().unevenness, GetParam().seed);
+      equilibrate(foam);
+    }
+    return foam;
+  }
+};
 
-TEST_P(EventTimes, DoNotDependOnTheFrame) {
-  const Foam foam = random_foam(150, GetParam().boundary, GetParam().seed);
+TEST_P(Frames, AreOfNoAccountToEvents) {
+  const Foam foam = foam_of(150);
   const auto in_frames_of = [&](double time_step) {
     return history(foam, frames_of(time_step), 1, 0.1);
   };
@@ -25,6 +36,25 @@ TEST_P(EventTimes, DoNotDependOnTheFrame) {
   expect_same_events(in_frames_of(0.1), fine, 1e-6);
   expect_same_events(in_frames_of(0.05), fine, 1e-6);
 }
+
+TEST_P(Frames, AreOfNoAccountWhereThresholdsGrowWithTheFoam) {
+  const Foam foam = foam_of(60);
+  const auto in_frames_of = [&](double time_step) {
+    CoarseningOptions options;
+    options.time_step = time_step;
+    return history(foam, options, 1, 0.1);
+  };
+  expect_same_events(in_frames_of(0.1), in_frames_of(0.0025), 1e-6);
+}
+
+// Rates change all the time in a container and with tensions of their own.
+INSTANTIATE_TEST_SUITE_P(Random, Frames,
+                         testing::Values(Case{Boundary::Periodic, 1}, Case{Boundary::Periodic, 2},
+                                         Case{Boundary::Free, 1}, Case{Boundary::Fixed, 1},
+                                         Case{Boundary::Fixed, 2},
+                                         Case{Boundary::Periodic, 1, 0.1}));
+
+class EventTimes : public testing::TestWithParam<Case> {};
 
 TEST_P(EventTimes, ConvergeAsThresholdsShrink) {
   const Foam foam = random_foam(100, GetParam().boundary, GetParam().seed);

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "base/random.h"
 #include "construct/from_points.h"
 #include "construct/jittered_grid.h"
 #include "engines/engines.h"
@@ -64,6 +65,15 @@ inline Foam random_foam(Index bubbles, Boundary boundary, std::uint64_t seed = 1
   Foam foam = build_from_points(jittered_grid(bubbles, 1, 1, seed), options);
   equilibrate(foam);
   return foam;
+}
+
+/// Tensions at random, 2γ give or take a part of it.
+inline void pull_unevenly(Foam& foam, double part, std::uint64_t seed) {
+  Random random(seed);
+  foam.film_tension.clear();
+  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
+    foam.film_tension.push_back(foam.reference_tension() * (1 + part * (2 * random.uniform() - 1)));
+  }
 }
 
 /// Over the bubbles that there are.

@@ -51,6 +51,13 @@ TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
   for (int frame = 0; frame < 15; ++frame) {
     const FrameResult result = parallel.advance([&] { return view_of(foam); }, {});
     ASSERT_EQ(result.performed(), serial.advance({}));
+    if (!result.performed()) {
+      EXPECT_GT(frame, 5);
+      EXPECT_EQ(result.end->cause, serial.foam().ended->cause);
+      EXPECT_NEAR(result.end->area_ahead, serial.foam().ended->area_ahead,
+                  1e-6 * std::abs(result.end->area_ahead));
+      break;
+    }
     count(foam, result.operations);
     const Foam& expected = serial.foam();
     ASSERT_EQ(foam.t1_count, expected.t1_count) << frame;

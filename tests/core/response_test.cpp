@@ -89,6 +89,40 @@ TEST_P(Response, IsTheEquilibriumsDerivative) {
   EXPECT_LT(difference, 1e-4 * largest);
 }
 
+/// Central differences of rates. Those of a foam of one tension, away from walls, stay.
+TEST_P(Response, ChangesAreaRates) {
+  for (const double unevenness : {0.0, 0.2}) {
+    Foam foam = random_foam(40, GetParam());
+    if (unevenness > 0) {
+      pull_unevenly(foam, unevenness, 1);
+    }
+    equilibrate(foam, 1e-13);
+    const Field<Bubble, double> rate = area_rates(foam, kPermeability);
+    const Field<Bubble, double> change =
+        area_rate_changes(foam, kPermeability, whole_response(foam, rate).angles);
+    const double dt = 1e-5;
+    const auto rates_at = [&](double time) {
+      Foam moved = foam;
+      for (const Bubble b : moved.bubble_slots()) {
+        moved.target_area[b] += time * rate[b];
+      }
+      equilibrate(moved, 1e-13);
+      EXPECT_EQ(moved.topology, foam.topology);
+      return area_rates(moved, kPermeability);
+    };
+    const Field<Bubble, double> after = rates_at(dt);
+    const Field<Bubble, double> before = rates_at(-dt);
+    double largest = 0;
+    for (const Bubble b : foam.bubble_slots()) {
+      const double found = (after[b] - before[b]) / (2 * dt);
+      EXPECT_NEAR(change[b], found, 1e-5 * (1 + std::abs(found)));
+      largest = std::max(largest, std::abs(change[b]));
+    }
+    EXPECT_EQ(area_rates_change(foam), largest > 0);
+    EXPECT_EQ(area_rates_change(foam), unevenness > 0 || GetParam() == Boundary::Fixed);
+  }
+}
+
 /// A patch whose surroundings move with the whole foam moves with it; one whose surroundings are
 /// taken to be at rest does not.
 TEST_P(Response, OfAPatchIsThatOfItsSurroundings) {

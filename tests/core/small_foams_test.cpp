@@ -121,7 +121,7 @@ TEST(SmallFoams, AnEndSaysWhatStandsInTheWay) {
     const End& end = *foam.ended;
     EXPECT_EQ(end.bubbles, 2);
     EXPECT_EQ(end.sides, 2);
-    EXPECT_EQ(end.t2_area, 0.05);
+    EXPECT_EQ(end.limit.t2_area, 0.05);
     EXPECT_GT(end.area, 0.05);
     EXPECT_LT(end.area, 0.05 + 4 * von_neumann_constant(0.25, 1) * 0.01) << "one step away";
     const std::string text = reason(end);
@@ -129,6 +129,70 @@ TEST(SmallFoams, AnEndSaysWhatStandsInTheWay) {
       EXPECT_NE(text.find(part), std::string::npos) << text;
     }
   }
+}
+
+/// How long a foam lives, s.
+double life(const Foam& foam, const CoarseningOptions& options, End& end) {
+  const auto coarsening = make_coarsening(options);
+  coarsening->restart(foam);
+  for (int frame = 0; frame < 20000 && coarsening->advance({}); ++frame) {
+  }
+  EXPECT_TRUE(coarsening->foam().ended);
+  end = coarsening->foam().ended.value_or(End{});
+  return coarsening->foam().time;
+}
+
+TEST(SmallFoams, LiveLongerIfTheirEndsAdviceIsTaken) {
+  struct Advice {
+    const char* words;
+    Foam foam;
+    ThresholdOptions asked;
+    double time_step;
+    ThresholdOptions taken;
+    double shorter_step;
+  };
+  const ThresholdOptions small{ThresholdKind::Absolute, 0.025, 1e-3, 0.05};
+  const ThresholdOptions large{ThresholdKind::Absolute, 0.025, 0.2, 0.05};
+  const ThresholdOptions relative{ThresholdKind::Relative, 0, 0, 0.5};
+  const ThresholdOptions less{ThresholdKind::Relative, 0, 0, 0.05};
+  const ThresholdOptions least{ThresholdKind::Absolute, 0, 0, 0.05};
+  const Foam six = random_foam(6, Boundary::Free, 2);
+  Foam two = double_bubble(1, 0.01);
+  equilibrate(two);
+  const std::array cases{
+      Advice{". A smaller T2Area lets", six, large, 1e-3, small, 1e-3},
+      Advice{". A smaller TimeStep shows more", six, small, 0.1, small, 0.01},
+      Advice{". A smaller Alpha lets", six, relative, 1e-3, less, 1e-3},
+      Advice{". A smaller T2Area, with Thresholds Absolute, lets", two, {}, 2e-5, least, 2e-5},
+      Advice{"other bubbles as well: a smaller TimeStep", six, small, 5, small, 0.1}};
+  for (const Advice& advice : cases) {
+    SCOPED_TRACE(advice.words);
+    CoarseningOptions options;
+    options.thresholds = advice.asked;
+    options.time_step = advice.time_step;
+    End end;
+    const double before = life(advice.foam, options, end);
+    EXPECT_EQ(end.cause, End::Cause::LastTwo);
+    EXPECT_NE(reason(end).find(advice.words), std::string::npos) << reason(end);
+    options.thresholds = advice.taken;
+    options.time_step = advice.shorter_step;
+    EXPECT_GT(life(advice.foam, options, end), before);
+  }
+}
+
+/// A threshold that is the least there is cannot be smaller.
+TEST(SmallFoams, AnEndKnowsTheLeastThresholds) {
+  CoarseningOptions options;
+  options.thresholds = {ThresholdKind::Absolute, 0, 0, 0.05};
+  options.time_step = 1e-5;
+  Foam start = double_bubble(1, 3e-4);
+  equilibrate(start);
+  End end;
+  life(start, options, end);
+  EXPECT_EQ(end.cause, End::Cause::LastTwo);
+  EXPECT_TRUE(end.least_t2_area);
+  EXPECT_GT(end.limit.t2_area, 0);
+  EXPECT_EQ(reason(end).find("T2Area"), std::string::npos) << reason(end);
 }
 
 } // namespace

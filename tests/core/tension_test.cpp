@@ -47,16 +47,7 @@ Foam double_bubble_of(double inner, double left = 1, double right = 1, double ar
   return foam;
 }
 
-/// Tensions at random, 2γ give or take a part of it.
-void pull_unevenly(Foam& foam, double part, std::uint64_t seed) {
-  Random random(seed);
-  foam.film_tension.clear();
-  for (std::size_t f = 0; f < foam.film_angle.size(); ++f) {
-    foam.film_tension.push_back(foam.reference_tension() * (1 + part * (2 * random.uniform() - 1)));
-  }
-}
-
-/// A disordered foam of such films, not in equilibrium.
+/// A disordered foam of films that pull unevenly, not in equilibrium.
 Foam uneven_foam(Boundary boundary, Index bubbles, std::uint64_t seed, double part = 0.2) {
   Foam foam = jittered_foam(boundary, bubbles, seed);
   pull_unevenly(foam, part, seed + 10);

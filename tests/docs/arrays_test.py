@@ -61,7 +61,7 @@ class Outputs(unittest.TestCase):
             self.assertEqual(sorted([*listed(proxy, heading, kind), *more]), sorted(names_of(attributes)))
 
     def test_films_and_bubbles(self):
-        for maker, more in (("foam", []), ("coarsen", ["TimeStep", "T1Length", "T2Area"])):
+        for maker, more in (("foam", []), ("coarsen", ["TimeStep", "GrowthConstant", "T1Length", "T2Area"])):
             films, bubbles = self.output(maker), self.output(maker, 1)
             self.assertGreater(films.GetNumberOfCells(), 0)
             self.check("FoamFromPoints", "Output 0: films", "cell array", films.GetCellData())

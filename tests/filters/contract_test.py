@@ -33,7 +33,7 @@ BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", 
             "MeanArea"]
 
 
-COARSENING_FIELDS = ["TimeStep", "T1Length", "T2Area"]
+COARSENING_FIELDS = ["TimeStep", "GrowthConstant", "T1Length", "T2Area"]
 
 
 def names(attributes):
@@ -403,9 +403,9 @@ class Arrays(unittest.TestCase):
     def test_first_piece_has_the_foam(self):
         foam = foam_of_points(60)
         coarsen = coarsening_of(foam)
-        statistics = vtkFoamStatistics()
-        statistics.SetInputConnection(coarsen.GetOutputPort())
         for piece, rows in ((1, 0), (0, 1)):
+            statistics = vtkFoamStatistics()  # from VTK 9.3 on no table is made again for another piece alone
+            statistics.SetInputConnection(coarsen.GetOutputPort())
             statistics.UpdatePiece(piece, 2, 0)
             self.assertEqual(statistics.GetOutput(0).GetNumberOfRows(), rows)
             self.assertEqual(foam.GetOutput(0).GetNumberOfLines() > 0, rows == 1)

@@ -162,7 +162,7 @@ def differences(a, b):
 def differences_of_foams(a, b):
     """The same, but for what a foam that coarsens says of its coarsening."""
     return [name for name in differences(a, b)
-            if name not in ("FieldData TimeStep", "FieldData T1Length", "FieldData T2Area")]
+            if name not in ("FieldData TimeStep", "FieldData GrowthConstant", "FieldData T1Length", "FieldData T2Area")]
 
 
 def write(data, path):

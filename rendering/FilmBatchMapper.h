@@ -4,38 +4,33 @@
 #include <map>
 #include <string>
 
-#include <vtkCompositeMapperHelper2.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include "CompositeMapper.h"
 #include "geometry/vec2.h"
 
+class vtkFoamFilmMapper;
 class vtkOpenGLBufferObject;
-class vtkTexture;
 class vtkTextureObject;
 
 namespace foam::rendering {
 
 /// The part of vtkFoamFilmMapper that talks to OpenGL.
-class FilmMapperHelper : public vtkCompositeMapperHelper2 {
+class FilmBatchMapper final : public BatchMapper {
 public:
-  static FilmMapperHelper* New();
-  vtkTypeMacro(FilmMapperHelper, vtkCompositeMapperHelper2);
+  static FilmBatchMapper* New();
+  vtkTypeMacro(FilmBatchMapper, BatchMapper);
 
-  /// Pixels. Changes no buffer.
-  void SetFilmWidth(double width) { film_width_ = width; }
-  /// cm. Changes the buffer.
-  vtkSetMacro(BorderRadius, double);
-  /// One of vtkFoamFilmMapper::Styles. Changes the shader.
-  vtkSetMacro(FilmStyle, int);
-  void SetFilmTexture(vtkTexture* texture) { picture_ = texture; }
-
+  /// Of what is drawn and of the vtkFoamFilmMapper that it is drawn for.
+  vtkMTimeType GetMTime() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
-  FilmMapperHelper() = default;
-  ~FilmMapperHelper() override = default;
+  FilmBatchMapper() = default;
+  ~FilmBatchMapper() override = default;
 
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   void GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                          vtkActor* actor) override;
@@ -47,15 +42,15 @@ protected:
                                  vtkActor* actor) override;
 
 private:
+  const vtkFoamFilmMapper& film_mapper() const;
+  int film_style() const;
+  /// What VTK draws: of a block that has them the chords.
+  void put_films();
+  void put_chords();
   /// Fills the buffer with the films of all blocks; why that cannot be done, or nothing.
   std::string build_films(vtkRenderer* renderer);
   bool draws_films(vtkRenderer* renderer) const;
   bool draws_texture() const;
-
-  double film_width_ = 2;
-  double BorderRadius = 0; // these two are named for vtkSetMacro
-  int FilmStyle = 0;
-  vtkSmartPointer<vtkTexture> picture_; ///< for the style Texture
 
   std::string problem_ = "no films yet"; ///< why films are drawn as ordinary lines
   std::map<vtkPolyData*, vtkSmartPointer<vtkPolyData>> chords_;

@@ -21,14 +21,14 @@ constexpr double kHardest = 4;          // at first and in the end,
 constexpr double kHardening = 2;        // what it grows by in a round
 constexpr double kCalm = 0.3;           // that leaves junctions' forces below this, in units of T
 constexpr double kEmptiest = 0.01;      // A/A^τ below which the gas gets no harder
-constexpr double kSmallestLength = 0.1; // of a film, of the T1 length
+constexpr double kSmallestLength = 0.1; // of a film, in units of what is short
 constexpr double kLargestAngle = 0.47 * std::numbers::pi;
 
 class Relaxation {
 public:
-  Relaxation(Foam& foam, double t1_length)
+  Relaxation(Foam& foam, double shortness)
       : foam_(foam), tension_(foam.reference_tension()), area_(foam.pressure.size()),
-        t1_length_(t1_length) {}
+        shortness_(shortness) {}
 
   void measure_areas() {
     for (const Bubble b : foam_.bubble_slots()) {
@@ -76,7 +76,9 @@ public:
 
 private:
   /// Whether a film is in the way of its ends: neither moves far without the other.
-  bool is_short(Film film) const { return norm(foam_.chord(film.half())) < t1_length_; }
+  bool is_short(Film film) const { return norm(foam_.chord(film.half())) < short_length(film); }
+
+  double short_length(Film film) const { return shortness_ * size_beside(foam_, film); }
 
   /// A/A^τ, kept away from 0.
   double filling(Bubble b) const { return std::max(area_[b] / foam_.target_area[b], kEmptiest); }
@@ -208,7 +210,7 @@ private:
     };
     const bool turns = foam_.moves(start) && foam_.moves(end);
     const Vec2 along = turns ? pull(h.twin()) - pull(h) : chord;
-    const double length = std::max(norm(chord), kSmallestLength * t1_length_);
+    const double length = std::max(norm(chord), kSmallestLength * short_length(film));
     const double strength = norm(along);
     if (!(strength > 0)) {
       return;
@@ -283,7 +285,7 @@ private:
   Foam& foam_;
   double tension_; ///< that forces are measured in
   Field<Bubble, double> area_;
-  double t1_length_;
+  double shortness_;            ///< of films that are short, in units of size_beside()
   double stiffness_ = kSoftest; ///< bulk modulus, in units of T/√A^τ
 };
 
@@ -306,10 +308,10 @@ bool opens_across(const Foam& foam, Film film) {
   return across > std::max(foam.tension(film), along);
 }
 
-void swap_short_films(Foam& foam, double t1_length) {
+void swap_short_films(Foam& foam, double shortness) {
   for (const Film f : foam.film_slots()) {
-    if (foam.has_film(f) && foam.length(f.half()) <= t1_length && spares_sides(foam, f) &&
-        can_perform_t1(foam, f) && opens_across(foam, f)) {
+    if (foam.has_film(f) && foam.length(f.half()) <= shortness * size_beside(foam, f) &&
+        spares_sides(foam, f) && can_perform_t1(foam, f) && opens_across(foam, f)) {
       perform_t1(foam, f);
     }
   }
@@ -317,15 +319,15 @@ void swap_short_films(Foam& foam, double t1_length) {
 
 } // namespace
 
-bool relax_compressible(Foam& foam, double t1_length, double closeness, const AbortCheck& aborted) {
-  Relaxation relaxation(foam, t1_length);
+bool relax_compressible(Foam& foam, double shortness, double closeness, const AbortCheck& aborted) {
+  Relaxation relaxation(foam, shortness);
   for (int round = 0; round < kRounds; ++round) {
     double force = 0;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       if (aborted && aborted()) {
         throw Aborted();
       }
-      swap_short_films(foam, t1_length);
+      swap_short_films(foam, shortness);
       relaxation.measure_areas();
       force = relaxation.sweep();
     }

@@ -15,13 +15,14 @@ namespace foam {
 /// of T/√A^τ. Junction by junction and film by film (nonlinear Gauss–Seidel), each takes one step
 /// of Newton's method with a positive definite matrix of its own. Every few sweeps p takes over the
 /// stretched gas's pressure (augmented Lagrangian: J. Nocedal, S. J. Wright, Numerical
-/// Optimization, 2nd ed., 2006, ch. 17.3), so that areas become right, and films that are shorter
-/// than t1_length (cm) and pulled shut are swapped. The gas is no stiffer than the films at first,
+/// Optimization, 2nd ed., 2006, ch. 17.3), so that areas become right, and films that are short and
+/// pulled shut are swapped. The gas is no stiffer than the films at first,
 /// so that bubbles find their neighbours before their areas, and hardens while junctions are nearly
 /// balanced.
+/// \param shortness of films that are short, beside √A^τ of the smaller bubble along them
 /// \param closeness largest |Σ forces|/T at a junction, and |A − A^τ|/A^τ of a bubble, to come to
 /// \returns whether it did, in a number of sweeps that is enough for any foam that can.
 /// \throws Aborted
-bool relax_compressible(Foam& foam, double t1_length, double closeness, const AbortCheck& aborted);
+bool relax_compressible(Foam& foam, double shortness, double closeness, const AbortCheck& aborted);
 
 } // namespace foam

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/abort.h"
 #include "equilibrium/compressible_relaxation.h"
@@ -10,11 +11,44 @@
 
 namespace foam {
 
+/// relax_compressible() of a foam whose gas comes and goes in steps: from the areas that bubbles
+/// have, target areas change by the same factor in each. A bubble that is to shrink loses its
+/// neighbours one by one.
+inline bool relax_in_steps(Foam& foam, int steps, double shortness, double closeness,
+                           const AbortCheck& aborted) {
+  constexpr double kLeast = 1e-3; // of a target area, that a bubble is taken to have
+  Foam way = foam;
+  const auto fill = [&](double rest) { // A^τ·(A/A^τ)^rest, of as much gas in all
+    double gas = 0;
+    double sum = 0;
+    for (const Bubble b : foam.bubble_slots()) {
+      if (foam.has_bubble(b)) {
+        const double target = foam.target_area[b];
+        way.target_area[b] = target * std::pow(std::max(foam.area(b) / target, kLeast), rest);
+        gas += target;
+        sum += way.target_area[b];
+      }
+    }
+    for (double& area : way.target_area) {
+      area *= gas / sum;
+    }
+  };
+  bool reached = true;
+  for (int step = 1; step < steps && reached; ++step) {
+    fill(1 - static_cast<double>(step) / steps);
+    reached = relax_compressible(way, shortness, closeness, aborted);
+  }
+  way.target_area = foam.target_area;
+  foam = std::move(way);
+  return reached && relax_compressible(foam, shortness, closeness, aborted);
+}
+
 /// Brings a foam to equilibrium from wherever it is. Where Newton's method may not be up to that,
 /// or has turned out not to be, it begins anew from a foam that has been relaxed as if its gas were
 /// soft (relax_compressible), and from nearer each time. A foam that gets entangled while it is
-/// relaxed is relaxed again, with films swapped sooner. What is left of a foam that finds no
-/// equilibrium is the nearest of what Newton's method began with last and what it came to.
+/// relaxed is relaxed again, with films swapped sooner, and then in steps. What is left of a foam
+/// that finds no equilibrium is the nearest of what Newton's method began with last and what it
+/// came to.
 /// \param far whether Newton's method may not be up to it
 /// \param newton newton(foam, most) runs Newton's method for so many iterations at most, and notes
 /// its report in the foam. \returns foam.report, with the iterations of all attempts.
@@ -24,8 +58,10 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, 
                                         const AbortCheck& aborted, const Newton& newton) {
   constexpr double kNear = 0.2;     // residual that relaxed gas leaves at first,
   constexpr double kNearer = 0.25;  // and part of it that it leaves each time after
-  constexpr double kSwapped = 0.05; // films of this part of the mean spacing are short at first,
-  constexpr double kLongest = 8;    // and in the end those so many times longer
+  constexpr double kSwapped = 0.05; // films of this part of a bubble's size are short at first,
+  constexpr double kLongest = 4;    // and in the end those so many times longer
+  constexpr int kMostSteps = 16;    // in which gas comes in the end
+  constexpr int kPatience = 64;     // iterations in which Newton's method gets there, or needs help
 
   newton(foam, 0);
   const Foam origin = foam;
@@ -34,23 +70,29 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, 
     foam = before;
     foam.topology = topology + 1; // it is another one again
   };
-  const double swapped = std::min(t1_length, kSwapped * foam.mean_spacing());
+  const double swapped = std::min(t1_length / foam.mean_spacing(), kSwapped);
   double longer = 1;
-  const auto relax = [&](double closeness) {
-    while (!relax_compressible(foam, longer * swapped, closeness, aborted)) {
-      if (longer == kLongest) {
-        return false;
-      }
-      longer *= 2;
-      go_back_to(origin);
-    }
-    return true;
-  };
-
+  int steps = 1;
   double closeness = kNear;
   bool reached = true;
+  const auto relax_otherwise = [&] {
+    if (longer < kLongest) {
+      longer *= 2;
+    } else {
+      longer = 1;
+      steps *= 4;
+    }
+    closeness = kNear;
+    go_back_to(origin);
+  };
   const auto come_nearer = [&] {
-    reached = relax(closeness);
+    while (!relax_in_steps(foam, steps, longer * swapped, closeness, aborted)) {
+      if (longer == kLongest && steps == kMostSteps) {
+        reached = false;
+        break;
+      }
+      relax_otherwise();
+    }
     closeness *= kNearer;
     newton(foam, 0);
   };
@@ -61,7 +103,8 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, 
   int iterations = 0;
   while (!foam.report.converged && iterations < most_iterations) {
     const Foam start = foam;
-    newton(foam, most_iterations - iterations);
+    const int left = most_iterations - iterations;
+    newton(foam, reached ? std::min(left, kPatience) : left);
     iterations += foam.report.iterations;
     if (foam.report.converged) {
       break;

@@ -21,14 +21,19 @@
 namespace foam::newton {
 
 inline constexpr std::uint8_t kLargestSwapCount = 4; // of one film in one equilibration
+inline constexpr double kShort = 0.25; // of the smaller bubble's size: longer films are not short
 
-/// Whether a step shortens a film further although it is short. Each swap of a film asks for it to
-/// be four times shorter, so that no film is swapped back and forth.
+/// Whether a step shortens a film further although it is short, also beside its bubbles. Each swap
+/// of a film asks for it to be four times shorter, so that no film is swapped back and forth.
 /// \param t1_length cm \param swaps how often it has been swapped
 FOAM_HOST_DEVICE inline bool closes(const ConstFoamView& mesh, Film film, const StepView& step,
                                     double t1_length, std::uint8_t swaps) {
-  return mesh.bends(film) && swaps < kLargestSwapCount &&
-         mesh.length(film.half()) <= t1_length * std::pow(0.25, static_cast<double>(swaps)) &&
+  if (!mesh.bends(film) || swaps >= kLargestSwapCount) {
+    return false;
+  }
+  const double length = mesh.length(film.half());
+  return length <= t1_length * std::pow(0.25, static_cast<double>(swaps)) &&
+         length <= kShort * size_beside(mesh, film) &&
          dot(mesh.chord(film.half()), step.chord_change(mesh, film)) < 0;
 }
 

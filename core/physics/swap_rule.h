@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "mesh/mesh_access.h"
 
@@ -13,6 +15,15 @@ template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Film 
 }
 
 } // namespace detail
+
+/// What a film is short beside: √A^τ of the smaller bubble along it, cm.
+template <class Mesh> FOAM_HOST_DEVICE double size_beside(const Mesh& mesh, Film film) {
+  const auto target_area = [&](Bubble b) {
+    return b.is_outside() ? std::numeric_limits<double>::infinity() : mesh.target_area[b];
+  };
+  return std::sqrt(
+      std::min(target_area(mesh.left(film.half())), target_area(mesh.right(film.half()))));
+}
 
 /// Whether the bubbles along a film have more than three sides, so that a swap leaves each three or
 /// more: three-sided bubbles vanish by T2. Beside a container's wall two are enough, the wall and a

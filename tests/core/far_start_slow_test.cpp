@@ -44,5 +44,38 @@ TEST(FarStarts, OfTenThousandBubblesReachEquilibrium) {
   }
 }
 
+TEST(FarStarts, OfClustersReachEquilibrium) {
+  for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
+    for (const double variation : {0.0, 1.5}) {
+      for (const Index bubbles : {48, 198, 396}) {
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+          expect_equilibrium_from({Points::Clusters, boundary, bubbles, variation, seed});
+        }
+      }
+    }
+  }
+}
+
+TEST(FarStarts, OfLongRingsReachEquilibrium) {
+  for (const Index bubbles : {100, 150, 200, 300}) {
+    for (const Boundary boundary : {Boundary::Free, Boundary::Fixed}) {
+      expect_equilibrium_from({Points::Ring, boundary, bubbles, 0, 0});
+      expect_equilibrium_from({Points::RingRound, boundary, bubbles + 1, 0, 0});
+    }
+  }
+}
+
+TEST(FarStarts, OfWidelySpreadAreasReachEquilibrium) {
+  for (const Points points : {Points::Poisson, Points::Jittered}) {
+    for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
+      for (const Index bubbles : {50, 200, 500}) {
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+          expect_equilibrium_from({points, boundary, bubbles, 3, seed});
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 } // namespace foam::test

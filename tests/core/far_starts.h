@@ -3,6 +3,7 @@
 // Foams that begin far from equilibrium, a bubble of mean area 1 per point.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -14,20 +15,26 @@
 namespace foam::test {
 
 enum class Points {
-  Poisson,  ///< uniformly random in a square: as uneven as points can be
-  Jittered, ///< the thesis's jittered grid
-  Ring,     ///< on a circle, a spacing apart
-  RingRound ///< the same round one more
+  Poisson,   ///< uniformly random in a square: as uneven as points can be
+  Jittered,  ///< the thesis's jittered grid
+  Ring,      ///< on a circle, a spacing apart
+  RingRound, ///< the same round one more
+  Clusters   ///< in six heaps, Gaussian, whose middles are random
 };
+
+/// Of the normal distribution, by Box and Muller.
+inline double normal(Random& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
+  return radius * std::cos(2 * std::numbers::pi * random.uniform());
+}
 
 /// Areas of mean 1 with a lognormal distribution. \param variation their coefficient of variation
 inline std::vector<double> lognormal_areas(std::size_t count, double variation, Random& random) {
   const double sigma = std::sqrt(std::log1p(variation * variation));
   std::vector<double> areas(count);
   double sum = 0;
-  for (double& area : areas) { // Box and Muller
-    const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
-    area = std::exp(sigma * radius * std::cos(2 * std::numbers::pi * random.uniform()));
+  for (double& area : areas) {
+    area = std::exp(sigma * normal(random));
     sum += area;
   }
   for (double& area : areas) {
@@ -36,9 +43,30 @@ inline std::vector<double> lognormal_areas(std::size_t count, double variation, 
   return areas;
 }
 
+/// Six heaps of a width of 1 in a square of 20.
+inline std::vector<Vec2> clustered_points(Index count, Random& random) {
+  constexpr Index kClusters = 6;
+  std::array<Vec2, kClusters> middles;
+  for (Vec2& middle : middles) {
+    middle.x = 20 * random.uniform();
+    middle.y = 20 * random.uniform();
+  }
+  std::vector<Vec2> points(place_of(count));
+  for (Index i = 0; i < count; ++i) {
+    Vec2& p = points[place_of(i)];
+    p = middles[place_of(i % kClusters)];
+    p.x += normal(random);
+    p.y += normal(random);
+  }
+  return points;
+}
+
 inline std::vector<Vec2> far_points(Points kind, Index count, Random& random, std::uint64_t seed) {
   if (kind == Points::Jittered) {
     return jittered_grid(count, 1, 1, seed);
+  }
+  if (kind == Points::Clusters) {
+    return clustered_points(count, random);
   }
   std::vector<Vec2> points(place_of(count));
   const Index around = kind == Points::RingRound ? count - 1 : count;
@@ -67,7 +95,7 @@ struct FarStart {
     options.boundary = boundary;
     const double side =
         points == Points::Jittered ? std::ceil(std::sqrt(bubbles)) : std::sqrt(bubbles);
-    if (boundary == Boundary::Periodic) {
+    if (boundary == Boundary::Periodic && points != Points::Clusters) {
       options.torus = Lattice::rectangle(0, side, 0, side);
     }
     Foam made = build_from_points(places, options);
@@ -80,7 +108,7 @@ struct FarStart {
   }
 
   std::string name() const {
-    constexpr std::array kPoints{"Poisson", "jittered", "ring", "ring round one"};
+    constexpr std::array kPoints{"Poisson", "jittered", "ring", "ring round one", "clustered"};
     constexpr std::array kBoundaries{"free", "periodic", "fixed"};
     return std::string(kPoints[static_cast<std::size_t>(points)]) + ", " +
            kBoundaries[static_cast<std::size_t>(boundary)] + ", " + std::to_string(bubbles) +

@@ -2,8 +2,8 @@
 #include "construct/default_torus.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "construct/triangulation.h"
@@ -12,63 +12,95 @@
 namespace foam {
 namespace {
 
-constexpr double kMargin = 2; // spacings from the bounds to points that know no seam
-constexpr std::size_t kFew = 16;
+constexpr double kSeam = 0.75; // spacings from the bounds to where points are no longer at the seam
+constexpr double kMostAtSeam = 0.5; // of the points: with more of them there are no others
+constexpr double kWidest = 2;       // spacings of a gap
+constexpr double kPrecision = 1e-6; // spacings
+constexpr int kMostRounds = 12;
 
-/// By how much bounds are to grow to an area: (w + 2g)(h + 2g) = A, and not at all if they have
-/// more than that.
-double growth_to(const Bounds& bounds, double area) {
-  const auto [width, height] = bounds.extent();
-  const double half_sum = 0.5 * (width + height);
-  const double missing = area - width * height;
-  return missing > 0 ? 0.5 * missing / (half_sum + std::sqrt(half_sum * half_sum + missing)) : 0;
-}
-
-/// The growth by half a spacing m of a grid, where m² is the area that the grown rectangle has per
-/// point: (N − 1)·m² − (w + h)·m − w·h = 0.
-double half_spacing(const Bounds& bounds, std::size_t points) {
+/// A gap of a grid's spacing m, where m² is the area that the rectangle has per point:
+/// (N − 1)·m² − (w + h)·m − w·h = 0.
+double grid_spacing(Vec2 extent, std::size_t points) {
   const double others = static_cast<double>(points - 1);
-  const auto [width, height] = bounds.extent();
-  const double sum = width + height;
-  const double product = width * height;
-  return (sum + std::sqrt(sum * sum + 4 * others * product)) / (4 * others);
+  const double sum = extent.x + extent.y;
+  const double product = extent.x * extent.y;
+  return (sum + std::sqrt(sum * sum + 4 * others * product)) / (2 * others);
 }
 
-/// The mean area of points that lie so far inside the bounds that they know no seam, a third of
-/// each triangle being each corner's. None if they are few.
-std::optional<double> inner_area(std::span<const Vec2> points, const Bounds& bounds,
-                                 double margin) {
-  const auto inside = [&](Vec2 p) {
-    return p.x > bounds.low.x + margin && p.x < bounds.high.x - margin &&
-           p.y > bounds.low.y + margin && p.y < bounds.high.y - margin;
-  };
-  const auto count = static_cast<std::size_t>(std::ranges::count_if(points, inside));
-  if (count < kFew) {
-    return std::nullopt;
-  }
-  double area = 0;
-  for (const Triangle& triangle : triangulate_plane(points)) {
-    if (triangle[0].point.is_outside()) {
-      continue;
-    }
-    const auto place = [&](std::size_t k) { return points[triangle[k].point.place()]; };
+Lattice with_gaps(const Bounds& bounds, Vec2 gap) {
+  return Lattice::rectangle(bounds.low.x - 0.5 * gap.x, bounds.high.x + 0.5 * gap.x,
+                            bounds.low.y - 0.5 * gap.y, bounds.high.y + 0.5 * gap.y);
+}
+
+/// Each point's area on a torus: a third of each of its triangles.
+Field<Bubble, double> areas_on(const Lattice& torus, std::span<const Vec2> points) {
+  const TorusPoints sites = torus_points(points, torus);
+  Field<Bubble, double> area(points.size(), 0);
+  for (const Triangle& triangle : triangulate_torus(sites)) {
+    const auto place = [&](std::size_t k) {
+      return sites.position[triangle[k].point] + torus.period(triangle[k].copy);
+    };
     const double third = cross(place(1) - place(0), place(2) - place(0)) / 6;
-    for (std::size_t k = 0; k < 3; ++k) {
-      area += inside(place(k)) ? third : 0;
+    for (const Corner& corner : triangle) {
+      area[corner.point] += third;
     }
   }
-  return area / static_cast<double>(count);
+  return area;
+}
+
+/// The points that lie near the low or the high end of one coordinate.
+std::vector<Bubble> points_at_seam(std::span<const Vec2> points, double low, double high,
+                                   double Vec2::*coordinate, double width) {
+  std::vector<Bubble> result;
+  for (const Bubble b : Slots<Bubble>(static_cast<Index>(points.size()))) {
+    const double c = points[b.place()].*coordinate;
+    if (std::min(c - low, high - c) < width) {
+      result.push_back(b);
+    }
+  }
+  return result;
 }
 
 } // namespace
 
 Lattice default_torus(std::span<const Vec2> points) {
   const Bounds bounds = bounds_of(points);
-  const double half = half_spacing(bounds, points.size());
-  const auto inner = inner_area(points, bounds, kMargin * 2 * half);
-  const double by = inner ? growth_to(bounds, *inner * static_cast<double>(points.size())) : half;
-  return Lattice::rectangle(bounds.low.x - by, bounds.high.x + by, bounds.low.y - by,
-                            bounds.high.y + by);
+  const Vec2 extent = bounds.extent();
+  const auto count = static_cast<double>(points.size());
+  const double spacing = grid_spacing(extent, points.size());
+  struct Side {
+    double Vec2::*along;
+    double Vec2::*across;
+    std::vector<Bubble> seam;
+  };
+  std::array<Side, 2> sides{Side{&Vec2::x, &Vec2::y, {}}, Side{&Vec2::y, &Vec2::x, {}}};
+  Vec2 gap{spacing, spacing};
+  for (Side& side : sides) {
+    side.seam = points_at_seam(points, bounds.low.*side.along, bounds.high.*side.along, side.along,
+                               kSeam * spacing);
+    if (static_cast<double>(side.seam.size()) > kMostAtSeam * count) {
+      return with_gaps(bounds, gap);
+    }
+  }
+  double change = spacing;
+  for (int round = 0; round < kMostRounds && change > kPrecision * spacing; ++round) {
+    const Vec2 size = extent + gap;
+    const Field<Bubble, double> area = areas_on(with_gaps(bounds, gap), points);
+    const double mean = size.x * size.y / count;
+    change = 0;
+    for (const auto& [along, across, seam] : sides) {
+      double excess = 0; // of area at the seam, which the gap is to lose
+      for (const Bubble b : seam) {
+        excess += area[b] - mean;
+      }
+      const double others = 1 - static_cast<double>(seam.size()) / count;
+      const double before = gap.*along;
+      gap.*along = std::clamp(before - excess / (others * size.*across),
+                              extent.*along / (count - 1), kWidest * spacing);
+      change = std::max(change, std::abs(gap.*along - before));
+    }
+  }
+  return with_gaps(bounds, gap);
 }
 
 } // namespace foam

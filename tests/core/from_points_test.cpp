@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "construct/jittered_grid.h"
+#include "geometry/bounds.h"
 #include "hand_made.h"
 #include "mesh/validate.h"
 
@@ -281,6 +282,59 @@ TEST(FromPoints, DefaultTorusOfASquareGridIsItsPeriod) {
   for (const Index n : foam.sides) {
     EXPECT_EQ(n, 6);
   }
+}
+
+// The mean area of points within half a spacing of the points' bounds beside that of the others.
+double seam_ratio(const std::vector<Vec2>& points) {
+  const Foam foam = build_from_points(points, with(Boundary::Periodic));
+  const Bounds bounds = bounds_of(points);
+  const double spacing = foam.mean_spacing();
+  double seam = 0;
+  double others = 0;
+  int count = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    const Vec2 p = points[b.place()];
+    const Vec2 inside{std::min(p.x - bounds.low.x, bounds.high.x - p.x),
+                      std::min(p.y - bounds.low.y, bounds.high.y - p.y)};
+    const bool at_seam = std::min(inside.x, inside.y) < 0.5 * spacing;
+    (at_seam ? seam : others) += foam.area(b);
+    count += at_seam ? 1 : 0;
+  }
+  return seam / count * (static_cast<double>(points.size()) - count) / others;
+}
+
+TEST(FromPoints, DefaultTorusOfALatticeHasItsAreas) {
+  for (const int rows : {6, 7, 12, 13}) { // whose odd ones do not fit each other at the seam
+    std::vector<Vec2> points;
+    for (int y = 0; y < rows; ++y) {
+      for (int x = 0; x < 9; ++x) {
+        points.push_back({x + 0.5 * (y % 2), std::sqrt(0.75) * y});
+      }
+    }
+    const Foam foam = build_from_points(points, with(Boundary::Periodic));
+    EXPECT_NEAR(foam.surroundings.lattice.first.x, 9, 1e-5) << rows;
+    EXPECT_NEAR(foam.surroundings.lattice.second.y, std::sqrt(0.75) * rows, 1e-5) << rows;
+    EXPECT_NEAR(seam_ratio(points), 1, 1e-5) << rows;
+  }
+}
+
+TEST(FromPoints, BubblesAtTheSeamAreAsLargeAsTheOthers) {
+  constexpr int kSamples = 20;
+  double poisson = 0;
+  double jittered = 0;
+  for (std::uint64_t seed = 1; seed <= kSamples; ++seed) {
+    Random random(seed);
+    std::vector<Vec2> points(400);
+    for (Vec2& p : points) {
+      p.x = 20 * random.uniform();
+      p.y = 20 * random.uniform();
+    }
+    poisson += seam_ratio(points) / kSamples;
+    jittered += seam_ratio(jittered_grid(400, 1, 1, seed)) / kSamples;
+    EXPECT_NEAR(seam_ratio(jittered_grid(400, 1, 1, seed)), 1, 0.15) << seed;
+  }
+  EXPECT_NEAR(poisson, 1, 0.06); // three times what twenty samples scatter by
+  EXPECT_NEAR(jittered, 1, 0.03);
 }
 
 TEST(FromPoints, AHexagonalLatticeIsAHoneycomb) {

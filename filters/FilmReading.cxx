@@ -31,8 +31,10 @@ constexpr double kLargestInteger = 9007199254740992.0;
 /// Largest difference in z, relative to the extents in x and y.
 constexpr double kPlaneTolerance = 1e-9;
 
-/// A position is a junction's image if it lies this close to it, in periods.
+/// A position is a junction's image if it lies this close to it, in periods,
 constexpr double kImageTolerance = 1e-6;
+/// or as close as coordinates' rounding tells, where that still tells images apart.
+constexpr double kLargestImageTolerance = 0.1;
 
 template <class... Parts> [[noreturn]] void not_a_foam(const Parts&... parts) {
   fail("the input is not a foam: ", parts...);
@@ -197,14 +199,17 @@ std::vector<Index> read_junction_ids(vtkPolyData* films) {
   return junction_of;
 }
 
-/// How many periods lie between a junction and one of its images.
-Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film) {
+/// How many periods lie between a junction and one of its images. \param rounding of a coordinate
+Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film, double rounding) {
   const Vec2 place = set.junctions[place_of(junction)];
   const auto& [origin, first, second] = set.surroundings.lattice;
   const bool periodic = set.surroundings.periodic();
+  const double tolerance = std::clamp(4 * rounding * std::max(norm(first), norm(second)) /
+                                          set.surroundings.lattice.area(),
+                                      kImageTolerance, kLargestImageTolerance);
   const Vec2 count = periodic ? Lattice{{}, first, second}.coordinates(image - place) : Vec2{};
-  const auto whole = [](double n) {
-    return std::abs(n - std::round(n)) < kImageTolerance && std::abs(n) < 1e6;
+  const auto whole = [&](double n) {
+    return std::abs(n - std::round(n)) < tolerance && std::abs(n) < 1e6;
   };
   if (!(periodic ? whole(count.x) && whole(count.y) : image == place)) {
     not_a_foam(
@@ -224,6 +229,7 @@ void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, F
   const Column left(data, "LeftBubble", count, "film");
   const Column right(data, "RightBubble", count, "film");
   const Column half_angle(data, "HalfAngle", count, "film");
+  const double rounding = coordinate_rounding(films);
   set.films.resize(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i) {
     vtkIdType size = 0;
@@ -250,8 +256,8 @@ void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, F
     film.left = left.integer(i, -kLargestInteger);
     film.right = right.integer(i, -kLargestInteger);
     film.half_angle = half_angle.real(i);
-    film.wrap = periods(set, point(films, last), film.end, i) -
-                periods(set, point(films, first), film.start, i);
+    film.wrap = periods(set, point(films, last), film.end, i, rounding) -
+                periods(set, point(films, first), film.start, i, rounding);
   }
 }
 
@@ -315,9 +321,18 @@ void check_plane(vtkPolyData* films) {
   }
 }
 
-/// \throws FoamError for a torus whose bubbles do not cover its cell once, as one that was scaled
-/// by a whole number does not.
-void check_cover(const Foam& foam, double covered) {
+/// \throws FoamError for bubbles that cover nothing, as mirrored ones do, and for a torus whose
+/// bubbles do not cover its cell once, as one that was scaled by a whole number does not.
+void check_cover(const Foam& foam) {
+  double covered = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    covered += foam.area(b);
+  }
+  if (!(covered > 0)) {
+    not_a_foam("the area of its bubbles is ", covered,
+               covered < 0 ? ": was it mirrored? Then the points of each film are to be reversed"
+                           : "");
+  }
   const double cell = foam.surroundings.lattice.area();
   if (foam.surroundings.periodic() && !(std::abs(covered - cell) <= kImageTolerance * cell)) {
     not_a_foam("its bubbles cover ", covered, ", but its torus has an area of ", cell,
@@ -371,7 +386,7 @@ FilmSet read_films(vtkPolyData* films) {
 
 Foam checked_foam(const FilmSet& films) {
   Foam foam = foam_of(films);
-  double total = 0;
+  check_cover(foam);
   for (const Bubble b : foam.bubble_slots()) {
     const double area = foam.area(b);
     // The thesis's method may fold one that is to vanish.
@@ -379,27 +394,20 @@ Foam checked_foam(const FilmSet& films) {
     if (to_vanish ? !std::isfinite(area) : !(area > 0)) {
       not_a_foam("the area of bubble ", foam.bubble_id[b], " is ", area);
     }
-    total += area;
   }
-  check_cover(foam, total);
   return foam;
 }
 
 Foam read_foam(vtkPolyData* films) {
   Foam foam = foam_of(read_films(films));
-  double total = 0;
-  for (const Bubble b : foam.bubble_slots()) {
-    total += foam.has_bubble(b) ? foam.area(b) : 0;
-  }
-  if (!(total > 0)) {
-    not_a_foam("the area of its bubbles is ", total);
-  }
-  check_cover(foam, total);
+  check_cover(foam);
   return foam;
 }
 
 double coordinate_rounding(vtkPolyData* films) {
-  const bool single_precision = films->GetPoints()->GetDataType() == VTK_FLOAT;
+  vtkDataArray* half_angle = films->GetCellData()->GetArray("HalfAngle");
+  const bool single_precision = films->GetPoints()->GetDataType() == VTK_FLOAT ||
+                                (half_angle && half_angle->GetDataType() == VTK_FLOAT);
   double bounds[6];
   films->GetBounds(bounds);
   double farthest = 0;

@@ -28,7 +28,8 @@ Foam read_foam(vtkPolyData* films);
 /// \throws FoamError naming the cause and the offending value.
 Foam checked_foam(const FilmSet& films);
 
-/// How far the coordinates of films may be off by rounding, cm.
+/// How far the coordinates of films, or what their half-angles stand for, may be off by rounding,
+/// cm.
 double coordinate_rounding(vtkPolyData* films);
 
 /// What is wrong with a report that films give of themselves, with what was found by measuring;

@@ -25,16 +25,18 @@ public:
 
   EquilibriumReport equilibrate(Foam& foam, double t1_length, const AbortCheck& aborted) override {
     Foam changed = foam;
-    copy_.upload(changed);
-    const bool far = newton_.is_far(copy_.view());
-    equilibrate_from_afar(
-        changed, far, t1_length, most_iterations_, aborted, [&](Foam& start, int most_iterations) {
-          copy_.upload(start);
-          const newton::NewtonResult result =
-              newton_.equilibrate(copy_.view(), t1_length, most_iterations, aborted);
-          copy_.download(start);
-          newton::note(start, result);
-        });
+    const auto is_far = [&](const Foam& start) {
+      copy_.upload(start);
+      return newton_.is_far(copy_.view());
+    };
+    equilibrate_from_afar(changed, is_far, t1_length, most_iterations_, aborted,
+                          [&](Foam& start, int most_iterations) {
+                            copy_.upload(start);
+                            const newton::NewtonResult result = newton_.equilibrate(
+                                copy_.view(), t1_length, most_iterations, aborted);
+                            copy_.download(start);
+                            newton::note(start, result);
+                          });
     foam = std::move(changed);
     return foam.report;
   }

@@ -7,7 +7,9 @@
 
 #include "base/abort.h"
 #include "equilibrium/compressible_relaxation.h"
+#include "geometry/bounds.h"
 #include "mesh/foam.h"
+#include "physics/measured_targets.h"
 
 namespace foam {
 
@@ -43,19 +45,50 @@ inline bool relax_in_steps(Foam& foam, int steps, double shortness, double close
   return reached && relax_compressible(foam, shortness, closeness, aborted);
 }
 
+/// Nothing holds a free foam to a size: it takes at once the one that its gas asks for, if that is
+/// another by far, round its middle and with the pressures that go with its arcs then.
+inline void take_size_of_gas(Foam& foam) {
+  constexpr double kFar = 2;
+  if (foam.surroundings.closed()) {
+    return;
+  }
+  double area = 0;
+  double gas = 0;
+  for (const Bubble b : foam.bubble_slots()) {
+    if (foam.has_bubble(b)) {
+      area += foam.area(b);
+      gas += foam.target_area[b];
+    }
+  }
+  if (!(area > 0) || std::max(area / gas, gas / area) < kFar) {
+    return;
+  }
+  const Bounds bounds = bounds_of(foam.position);
+  const Vec2 middle = bounds.low + 0.5 * bounds.extent();
+  const double length = std::sqrt(gas / area);
+  for (Vec2& position : foam.position) {
+    position = middle + length * (position - middle);
+  }
+  const double factor = pressure_factor(foam);
+  for (double& pressure : foam.pressure) {
+    pressure *= factor;
+  }
+}
+
 /// Brings a foam to equilibrium from wherever it is. Where Newton's method may not be up to that,
 /// or has turned out not to be, it begins anew from a foam that has been relaxed as if its gas were
 /// soft (relax_compressible), and from nearer each time. A foam that gets entangled while it is
 /// relaxed is relaxed again, with films swapped sooner, and then in steps. What is left of a foam
 /// that finds no equilibrium is the nearest of what Newton's method began with last and what it
 /// came to.
-/// \param far whether Newton's method may not be up to it
+/// \param is_far is_far(foam) says whether Newton's method may not be up to it
 /// \param newton newton(foam, most) runs Newton's method for so many iterations at most, and notes
 /// its report in the foam. \returns foam.report, with the iterations of all attempts.
 /// \throws Aborted
-template <class Newton>
-EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, int most_iterations,
-                                        const AbortCheck& aborted, const Newton& newton) {
+template <class IsFar, class Newton>
+EquilibriumReport equilibrate_from_afar(Foam& foam, const IsFar& is_far, double t1_length,
+                                        int most_iterations, const AbortCheck& aborted,
+                                        const Newton& newton) {
   constexpr double kNear = 0.2;     // residual that relaxed gas leaves at first,
   constexpr double kNearer = 0.25;  // and part of it that it leaves each time after
   constexpr double kSwapped = 0.05; // films of this part of a bubble's size are short at first,
@@ -63,6 +96,8 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, bool far, double t1_length, 
   constexpr int kMostSteps = 16;    // in which gas comes in the end
   constexpr int kPatience = 64;     // iterations in which Newton's method gets there, or needs help
 
+  take_size_of_gas(foam);
+  const bool far = is_far(foam);
   newton(foam, 0);
   const Foam origin = foam;
   const auto go_back_to = [&](const Foam& before) {

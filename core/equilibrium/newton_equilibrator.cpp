@@ -65,11 +65,12 @@ void NewtonEquilibrator::forget() {
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
   try {
-    return equilibrate_from_afar(foam, is_far(foam), t1_length, options_.maximum_iterations,
-                                 aborted, [&](Foam& start, int most_iterations) {
-                                   equilibrate_to(start, options_.tolerance, t1_length,
-                                                  most_iterations, aborted);
-                                 });
+    return equilibrate_from_afar(
+        foam, [&](Foam& start) { return is_far(start); }, t1_length, options_.maximum_iterations,
+        aborted,
+        [&](Foam& start, int most_iterations) {
+          equilibrate_to(start, options_.tolerance, t1_length, most_iterations, aborted);
+        });
   } catch (...) {
     foam.report = measured_report(foam);
     throw;

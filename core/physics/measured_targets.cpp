@@ -4,8 +4,6 @@
 #include <cmath>
 
 namespace foam {
-namespace {
-
 double pressure_factor(const Foam& foam) {
   double product = 0;
   double square = 0;
@@ -19,8 +17,6 @@ double pressure_factor(const Foam& foam) {
   }
   return square > 0 ? product / square : 1;
 }
-
-} // namespace
 
 void take_measured_targets(Foam& foam) {
   for (const Bubble b : foam.bubble_slots()) {

@@ -127,6 +127,24 @@ TEST(FarStart, NewtonsMethodWithoutAMatrixGetsThereToo) {
   }
 }
 
+// Blown up or shrunk as a whole it is the same foam at the same place.
+TEST(FarStart, AFreeFoamOfAnotherSizeIsTheSame) {
+  Foam before = FarStart{Points::Jittered, Boundary::Free, 60, 0.3, 1}.foam();
+  equilibrate(before);
+  const Vec2 middle{3, 5};
+  for (const double size : {1e-4, 1e-3, 0.4, 3.0, 300.0, 1000.0, 1e4}) {
+    Foam foam = before;
+    for (Vec2& x : foam.position) {
+      x = middle + size * (x - middle);
+    }
+    equilibrate(foam);
+    expect_valid(foam);
+    expect_equilibrium(foam);
+    EXPECT_EQ(foam.t1_count, before.t1_count) << size;
+    EXPECT_NEAR(foam.energy(), before.energy(), 1e-10 * before.energy()) << size;
+  }
+}
+
 // The iterations reported are those it takes: no fewer do.
 TEST(FarStart, MaximumIterationsIsWhatItSays) {
   const FarStart start{Points::Poisson, Boundary::Periodic, 100, 1, 1};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/abort.h"
 #include "equilibrium/compressible_relaxation.h"
@@ -41,7 +40,7 @@ inline bool relax_in_steps(Foam& foam, int steps, double shortness, double close
     reached = relax_compressible(way, shortness, closeness, aborted);
   }
   way.target_area = foam.target_area;
-  foam = std::move(way);
+  foam = way; // a copy, since there are views of the foam's arrays
   return reached && relax_compressible(foam, shortness, closeness, aborted);
 }
 

@@ -22,7 +22,7 @@ vtkFoamFilmsRepresentation::vtkFoamFilmsRepresentation() {
   mapper->SetProcessIdArrayName("vtkProcessId");
   mapper->SetCompositeIdArrayName("vtkCompositeIndex");
   this->Mapper = mapper;
-
+  this->Representation = WIREFRAME; // colours as they are, without light
   this->SetupDefaults();
   this->Property->LightingOff();
   this->Actor->ForceTranslucentOn();

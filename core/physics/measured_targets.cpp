@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace foam {
+
 double pressure_factor(const Foam& foam) {
   double product = 0;
   double square = 0;

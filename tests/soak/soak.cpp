@@ -2,25 +2,21 @@
 //
 // Runs frames of small foams at random (tests/random_runs.h) and counts what goes wrong, by kind,
 // with the seeds that show it.
-//
-//   soak --frames N      so many frames in all, default 100000
-//        --first SEED    of the first run, default 1; the others follow
-//        --seed SEED     this run alone, frame by frame
-//        --slow S        a frame that takes longer is one that goes wrong, s, default 5
-//        --most N        bubbles at the start, at most, default 300
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
 
 #include "../random_runs.h"
+#include "base/error.h"
 #include "coarsening/end.h"
 
 namespace {
@@ -29,7 +25,19 @@ using namespace foam;
 using foam::test::RandomRun;
 
 constexpr int kFramesOfARun = 400;
-constexpr double kLeast = 5; // bubbles at the start
+constexpr double kLeast = 5;  // bubbles at the start
+constexpr double kMost = 1e6; // that may be asked for
+constexpr double kEver = 1e9; // s
+
+constexpr const char* kUsage = R"(usage: soak [--frames N] [--first SEED] [--slow S] [--most N]
+       soak --seed SEED [--slow S] [--most N]
+
+  --frames N    so many frames in all, default 100000
+  --first SEED  of the first run, default 1; the others follow
+  --seed SEED   this run alone, frame by frame
+  --slow S      a frame that takes longer is one that goes wrong, s, default 5
+  --most N      bubbles at the start, at most, default 300
+)";
 
 struct Arguments {
   std::int64_t frames = 100000;
@@ -200,33 +208,49 @@ private:
   std::atomic<std::int64_t>& done_;
 };
 
-Arguments arguments_of(int argc, char** argv) {
+/// \throws FoamError unless the text is a number from `least` to `most`
+double number_of(const std::string& name, std::string_view text, double least, double most) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) {
+    throw FoamError(name + " wants a number, not '" + std::string(text) + "'");
+  }
+  require(value >= least && value <= most, name, number(least) + " to " + number(most), value);
+  return value;
+}
+
+template <class Whole> Whole whole_of(const std::string& name, std::string_view text) {
+  constexpr double kLargestInteger = 9007199254740992; // that a double tells from the next
+  const double value = number_of(name, text, 1, kLargestInteger);
+  require(value == std::trunc(value), name, "a whole number", value);
+  return static_cast<Whole>(value);
+}
+
+/// \throws FoamError naming the first that is none
+Arguments arguments_of(std::span<char* const> words) {
   Arguments arguments;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string_view name = argv[i];
-    const double value = std::strtod(argv[i + 1], nullptr);
+  for (std::size_t i = 0; i < words.size(); i += 2) {
+    const std::string name = words[i];
+    const std::string_view text = i + 1 < words.size() ? words[i + 1] : "";
     if (name == "--frames") {
-      arguments.frames = static_cast<std::int64_t>(value);
+      arguments.frames = whole_of<std::int64_t>(name, text);
     } else if (name == "--first") {
-      arguments.first = static_cast<std::uint64_t>(value);
+      arguments.first = whole_of<std::uint64_t>(name, text);
     } else if (name == "--seed") {
-      arguments.seed = static_cast<std::uint64_t>(value);
+      arguments.seed = whole_of<std::uint64_t>(name, text);
     } else if (name == "--slow") {
-      arguments.slow = value;
+      arguments.slow = number_of(name, text, 0, kEver);
     } else if (name == "--most") {
-      arguments.most = value;
+      arguments.most = number_of(name, text, kLeast, kMost);
     } else {
-      std::cerr << "soak: unknown argument " << name << '\n';
-      std::exit(2);
+      throw FoamError("unknown argument '" + name + "'");
     }
   }
   return arguments;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  const Arguments arguments = arguments_of(argc, argv);
+void soak(const Arguments& arguments) {
   Tally tally;
   std::atomic<std::int64_t> done = 0;
   if (arguments.seed != 0) {
@@ -247,4 +271,20 @@ int main(int argc, char** argv) {
   }
   std::cout << done << " frames\n";
   tally.print();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const std::span<char* const> words(argv + 1, argv + argc);
+  if (std::ranges::find(words, std::string_view("--help")) != words.end()) {
+    std::cout << kUsage;
+    return 0;
+  }
+  try {
+    soak(arguments_of(words));
+  } catch (const FoamError& error) {
+    std::cerr << "soak: " << error.what() << "; --help says what there is\n";
+    return 2;
+  }
 }

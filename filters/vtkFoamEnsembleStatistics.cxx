@@ -14,6 +14,7 @@
 #include "vtkTable.h"
 
 #include "EnsembleSample.h"
+#include "Message.h"
 
 vtkStandardNewMacro(vtkFoamEnsembleStatistics);
 
@@ -34,7 +35,7 @@ vtkMultiProcessController* vtkFoamEnsembleStatistics::GetController() {
 }
 
 int vtkFoamEnsembleStatistics::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
   return 1;
 }
 
@@ -45,7 +46,14 @@ int vtkFoamEnsembleStatistics::RequestData(vtkInformation*, vtkInformationVector
   foam::filters::EnsembleSample sample;
   int failed = 0;
   try {
-    auto* members = vtkPartitionedDataSet::GetData(inputs[0]);
+    vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
+    auto* members = vtkPartitionedDataSet::SafeDownCast(input);
+    if (!members) {
+      foam::filters::fail("the input is a ", input->GetClassName(),
+                          "; what is wanted is a partitioned data set with the films or the table "
+                          "of a run in each partition, as Group Datasets makes it with Output Type "
+                          "vtkPartitionedDataSet");
+    }
     for (unsigned int i = 0; i < members->GetNumberOfPartitions(); ++i) {
       sample.add_member(members->GetPartitionAsDataObject(i), this->IncludeBoundary);
     }

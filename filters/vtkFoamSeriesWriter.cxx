@@ -109,7 +109,7 @@ vtkMultiProcessController* vtkFoamSeriesWriter::GetController() {
 }
 
 int vtkFoamSeriesWriter::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
   return 1;
 }
 
@@ -193,7 +193,14 @@ vtkSmartPointer<vtkPolyData> vtkFoamSeriesWriter::WholeFrame() {
   return frame;
 }
 
+/// \throws FoamError if the input is no vtkPolyData
 void vtkFoamSeriesWriter::WriteFrame(vtkPolyData* frame) {
+  auto* const input = vtkPolyData::SafeDownCast(this->GetInput());
+  if (!input) {
+    foam::filters::fail("the input is a ", this->GetInput()->GetClassName(),
+                        "; what is wanted are films or bubbles, an output of FoamFromPoints or "
+                        "FoamCoarsen or a file of one");
+  }
   auto& loop = *this->Present;
   loop.LastEmpty = !frame || frame->GetNumberOfCells() == 0;
   if (loop.LastEmpty) {
@@ -202,7 +209,6 @@ void vtkFoamSeriesWriter::WriteFrame(vtkPolyData* frame) {
     }
     return;
   }
-  vtkPolyData* const input = vtkPolyData::SafeDownCast(this->GetInput());
   const double time = TimeOf(input->GetNumberOfCells() > 0 ? input : frame);
   if (loop.Behind(time)) {
     if (foam::filters::read_end(frame).empty()) {

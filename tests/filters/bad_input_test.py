@@ -9,13 +9,13 @@ from pathlib import Path
 
 from vtkmodules.vtkCommonCore import (vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints,
                                       vtkStringArray)
-from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable,
-                                           vtkUnstructuredGrid)
+from vtkmodules.vtkCommonDataModel import (vtkCellArray, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPartitionedDataSetCollection, vtkPolyData, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints,
+from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamFromPoints, vtkFoamPoints,
                                  vtkFoamStatistics)
 from foam_testing import (Messages, array_of, column, copy, foam_of_points, points_of, set_properties, write)
 
@@ -551,11 +551,20 @@ class Films(Rejecting):
         blocks = vtkMultiBlockDataSet()
         blocks.SetBlock(0, self.films[False])
         for data, told in ((blocks, "lock"), (vtkImageData(), "vtkImageData"), (vtkTable(), "vtkTable")):
-            for algorithm in (vtkFoamCoarsen(), vtkFoamStatistics(), vtkFoamFromPoints()):
+            for algorithm in (vtkFoamCoarsen(), vtkFoamStatistics(), vtkFoamFromPoints(), vtkFoamEnsembleStatistics()):
                 producer = vtkTrivialProducer()
                 producer.SetOutput(data)
                 algorithm.SetInputConnection(producer.GetOutputPort())
                 self.rejects(algorithm, told, "wanted")
+
+    def test_no_runs(self):
+        """One foam is no ensemble, nor are blocks or a collection of several."""
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, self.films[False])
+        for data in (self.films[False], blocks, vtkPartitionedDataSetCollection()):
+            ensemble = vtkFoamEnsembleStatistics()
+            ensemble.SetInputDataObject(data)
+            self.rejects(ensemble, "is a " + data.GetClassName(), "wanted", "Group Datasets")
 
     def test_random_changes(self):
         """Whatever the arrays hold, there is an error and nothing, or a foam; never a crash."""

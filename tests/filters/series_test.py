@@ -14,8 +14,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
 
 from foam.vtkFoamFilters import vtkFoamFromPoints, vtkFoamSeriesWriter
 from foam_testing import (Messages, coarsening_of, differences, differences_of_foams, foam_of_points, go_to,
@@ -493,6 +493,22 @@ class Trouble(Series):
         self.assertEqual(writer.Write(), 0)
         self.assertEqual(len(messages.errors), 1, messages.errors)
         self.assertEqual(files(self.folder), [])
+
+    def test_what_cannot_be_films_or_bubbles(self):
+        """Is named once, and a series that is there stays."""
+        writer_of(self.coarsen, self.path).Write()
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, self.frames[0][0])
+        for data in (blocks, vtkTable(), vtkImageData()):
+            producer = vtkTrivialProducer()
+            producer.SetOutput(data)
+            writer = writer_of(producer, self.path)
+            messages = Messages(writer)
+            self.assertEqual((writer.Write(), writer.GetErrorCode() != 0), (0, True))
+            self.assertEqual((len(messages.errors), messages.warnings), (1, []), messages.errors)
+            for part in (data.GetClassName(), "wanted", "films or bubbles"):
+                self.assertIn(part, messages.errors[0])
+        self.check(FRAMES + 1)
 
     def test_a_folder_of_the_name(self):
         self.path.mkdir()

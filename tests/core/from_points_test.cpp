@@ -284,6 +284,27 @@ TEST(FromPoints, DefaultTorusOfASquareGridIsItsPeriod) {
   }
 }
 
+/// Points in cells wider than high ask for a gap of their own in x and another in y: those of the
+/// cells.
+TEST(FromPoints, DefaultTorusHasAGapForEachDirection) {
+  constexpr Vec2 kCell{1.5, 1 / 1.5};
+  constexpr int kSeeds = 20;
+  for (const double jitter : {0.0, 0.5, 1.0}) {
+    Vec2 mean;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      auto points = jittered_grid(400, 1, jitter, static_cast<std::uint64_t>(seed));
+      for (Vec2& p : points) {
+        p = {kCell.x * p.x, kCell.y * p.y};
+      }
+      const Lattice torus =
+          build_from_points(points, with(Boundary::Periodic)).surroundings.lattice;
+      mean += (1.0 / kSeeds) * Vec2{torus.first.x, torus.second.y};
+    }
+    EXPECT_NEAR(mean.x, 20 * kCell.x, jitter > 0 ? 0.06 : 1e-12) << jitter;
+    EXPECT_NEAR(mean.y, 20 * kCell.y, jitter > 0 ? 0.03 : 1e-12) << jitter;
+  }
+}
+
 // The mean area of points within half a spacing of the points' bounds beside that of the others.
 double seam_ratio(const std::vector<Vec2>& points) {
   const Foam foam = build_from_points(points, with(Boundary::Periodic));

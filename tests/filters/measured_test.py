@@ -6,13 +6,15 @@ import re
 import unittest
 
 import numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 
 from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamStatistics
 from foam_testing import (Messages, coarsening_of, column, copy, differences, foam_of_points, go_to, single,
-                          times)
+                          skewed_torus, times)
 
 
 def transformed(films, change):
@@ -36,6 +38,27 @@ def in_single_precision(films):
     return result
 
 
+def with_angles_in_single_precision(films):
+    result = copy(films)
+    angles = vtkFloatArray()
+    angles.DeepCopy(films.GetCellData().GetArray("HalfAngle"))
+    result.GetCellData().AddArray(angles)
+    assert result.GetCellData().GetArray("HalfAngle").GetDataType() == 10
+    return result
+
+
+def with_the_points_of_each_film_reversed(films):
+    lines = vtkCellArray()
+    for i in range(films.GetNumberOfLines()):
+        points = films.GetCell(i).GetPointIds()
+        lines.InsertNextCell(points.GetNumberOfIds())
+        for k in reversed(range(points.GetNumberOfIds())):
+            lines.InsertCellPoint(points.GetId(k))
+    result = copy(films)
+    result.SetLines(lines)
+    return result
+
+
 class Measuring(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -54,6 +77,16 @@ class Measuring(unittest.TestCase):
         row = {name: statistics.GetOutput(0).GetValueByName(0, name).ToDouble()
                for name in ("MaxAngleError", "MaxAreaError", "MeanArea")}
         return row, messages.warnings
+
+    def bubbles(self, films):
+        """Of films that are read, though rounding may have taken them out of equilibrium."""
+        statistics = vtkFoamStatistics()
+        statistics.SetInputData(films)
+        messages = Messages(statistics)
+        statistics.Update()
+        self.assertEqual(messages.errors, [])
+        rows = statistics.GetOutput(2).GetRowData()
+        return {name: column(rows, name) for name in ("Area", "Sides", "Perimeter")}
 
     def start(self, films, **properties):
         """The first frame that FoamCoarsen makes of films, the filter, and the warnings."""
@@ -112,6 +145,61 @@ class Unchanged(Measuring):
             self.check_holds(in_single_precision(self.films[boundary]))
             self.check_holds(in_single_precision(
                 transformed(self.films[boundary], lambda t: t.Translate(1000, 0, 0))))
+
+    def test_half_angles_in_single_precision(self):
+        """Alone, where coordinates have all their digits."""
+        for films in self.films.values():
+            self.check_holds(with_angles_in_single_precision(films))
+
+    def test_a_torus_in_single_precision(self):
+        """Films find their junctions' images as far from the origin as rounding tells these apart."""
+        skewed = foam_of_points(60, periodic=True, PeriodVectors=skewed_torus())
+        for films in (self.films["Periodic"], go_to(coarsening_of(skewed), 7)[0]):
+            self.check_holds(in_single_precision(films))
+            for far in (300, 3e4):
+                rounding = far * 2.0**-23
+                self.assertGreater(rounding, 1e-6 * 60**0.5, "films of all digits may not be off so far")
+                moved = transformed(films, lambda t: t.Translate(far, -far, 0))
+                exact, rounded = self.bubbles(moved), self.bubbles(in_single_precision(moved))
+                numpy.testing.assert_array_equal(rounded["Sides"], exact["Sides"])
+                self.assertLess((abs(rounded["Area"] - exact["Area"]) / exact["Perimeter"]).max(), 2 * rounding)
+
+    def test_a_torus_too_far_for_single_precision(self):
+        films = transformed(self.films["Periodic"], lambda t: t.Translate(3e8, 0, 0)) # where numbers are 32 apart
+        self.rejects(in_single_precision(films), "not a foam")
+
+    def test_a_torus_of_all_digits(self):
+        """Its films end within a millionth of a period of their junctions' images."""
+        for off, accepted in ((1e-7, True), (1e-5, False)):
+            films = copy(self.films["Periodic"])
+            xmin, xmax, *_ = column(films.GetFieldData(), "PeriodicBounds")[0]
+            places = vtk_to_numpy(films.GetPoints().GetData())
+            junctions = column(films.GetPointData(), "JunctionId")
+            first = {junction: i for i, junction in reversed(list(enumerate(junctions))) if junction >= 0}
+            image = next(i for i, junction in enumerate(junctions)
+                         if junction >= 0 and abs(places[i] - places[first[junction]])[0] > 1)
+            places[image, 0] += off * (xmax - xmin)
+            if accepted:
+                self.bubbles(films)
+            else:
+                self.rejects(films, "not whole periods away")
+
+
+class Mirrored(Measuring):
+    def test_turned_round_as_the_error_says(self):
+        """The mirror image of a foam coarsens as its mirror image."""
+        for boundary, films in self.films.items():
+            mirrored = transformed(films, lambda t: t.Scale(-1, 1, 1))
+            self.rejects(mirrored, "was it mirrored? Then the points of each film are to be reversed")
+            turned = with_the_points_of_each_film_reversed(mirrored)
+            self.check_holds(turned)
+            (expected, bubbles), (after, image) = (go_to(coarsening_of(start), 12) for start in (films, turned))
+            for name in ("T1Count", "T2Count", "T3Count"):
+                self.assertEqual(single(after, name), single(expected, name), boundary)
+            self.assertGreater(single(after, "T1Count"), single(films, "T1Count"))
+            self.assertAlmostEqual(single(after, "Energy") / single(expected, "Energy"), 1, 8)
+            numpy.testing.assert_allclose(column(image.GetCellData(), "Area"), column(bubbles.GetCellData(), "Area"),
+                                          rtol=1e-7)
 
 
 class Changed(Measuring):

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a picture of a real foam, dark films on a bright ground, to a simulated one, drawn over the picture.
+"""From a picture of a real foam, with dark films or bright ones, to a simulated one, drawn over the picture.
 
     pvpython examples/foam_from_picture.py --picture foam.png [--crop LEFT RIGHT TOP BOTTOM] [--walls]
 
 Bubbles should be 20 to 60 pixels wide. --crop names the part to look at (pixels), --walls is for foams
-that walls, or the crop, hold where they are. A length of 1 in the foam is the root of the mean bubble area. Bright films,
-numbered regions and blank pictures are refused: foam_in_picture.py, which finds the bubbles, says why.
+that walls, or the crop, hold where they are. A length of 1 in the foam is the root of the mean bubble area.
+Numbered regions, blank pictures and those without films are refused: foam_in_picture.py, which finds the bubbles, says
+why.
 """
 from foam_plugin import *
 from foam_in_picture import bubbles_in, neighbours_in, read_picture

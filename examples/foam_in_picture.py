@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bubbles of a picture, dark films on a bright ground, for foam_from_picture.py; and whether it is such a picture."""
+"""The bubbles of a picture, between dark films or bright ones, for foam_from_picture.py; and whether it is such a
+picture."""
 import sys
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_laplace
+from scipy.ndimage import distance_transform_edt
 from skimage import filters, io, measure, morphology, segmentation
 
 MOST_COLOURS = 12  # of what is drawn
-LEAST_RIDGES = 1.2  # dark ones beside bright ones: about 2 for dark films, 1 for steps, 0.5 for bright films
+SURROUNDINGS = 20  # pixels that the brightness of a place's surroundings is taken from
+LEAST_ENCLOSED = 0.02  # part of a picture that is not yet much of it
+LEAST_ONE_SIDED = 0.6  # 0 for noise and steps, 1 for films without gaps
 
 
 def read_picture(path, left, right, top, bottom):
-    """The part of a picture that is to be looked at, its brightest pixel 1. Ends with a word if it is no picture of
-    dark films."""
+    """The part of a picture that is to be looked at, from 0 to 1. Ends with a word if it can be no picture of films."""
     try:
         whole = io.imread(path, as_gray=True).astype(float)
     except FileNotFoundError:
@@ -30,12 +32,7 @@ def read_picture(path, left, right, top, bottom):
     if len(values) > MOST_COLOURS:
         sys.exit(f"{path} has flat regions of {len(values)} values, as a picture of numbered regions has: draw their "
                  "borders, dark on white")
-    curvature = gaussian_laplace(picture, 2)
-    ridges = np.percentile(curvature, 98) / max(-np.percentile(curvature, 2), 1e-300)
-    if ridges < LEAST_RIDGES:
-        sys.exit(f"{path} has no dark films on a bright ground: dark lines are {ridges:.2f} times as marked as bright "
-                 f"ones, not {LEAST_RIDGES} times or more. If its films are bright, invert it")
-    return picture / picture.max()
+    return (picture - picture.min()) / np.ptp(picture)
 
 
 def flat_values(picture):
@@ -49,10 +46,37 @@ def flat_values(picture):
     return values[order][counts[order] > 0.002 * picture.size] if flat.mean() > 0.5 else values[:0]
 
 
+def enclosed(mask):
+    """How much of a picture pieces of a mask take that lie inside it: all but the largest, which may be a network."""
+    pieces = measure.label(mask, connectivity=1)
+    areas = np.bincount(pieces.ravel())
+    areas[0] = 0
+    areas[areas.argmax()] = 0
+    areas[np.r_[pieces[0], pieces[-1], pieces[:, 0], pieces[:, -1]]] = 0
+    return areas.sum() / mask.size
+
+
+def films_in(picture):
+    """Where films are, dark or bright: they hang together, and what they enclose falls into pieces. What is dark is
+    told by one brightness for all of the picture or, where that is lit unevenly, by that of the surroundings."""
+    smooth = filters.gaussian(picture, 1)
+    most, films = 0, None
+    for threshold in ((filters.threshold_otsu(smooth) - filters.threshold_otsu(-smooth)) / 2,  # the same upside down
+                      filters.gaussian(smooth, SURROUNDINGS)):
+        dark = smooth <= threshold
+        by_dark, by_bright = enclosed(~dark), enclosed(dark)
+        one_sided = (by_dark - by_bright) / (by_dark + by_bright + LEAST_ENCLOSED)
+        if abs(one_sided) > most:
+            most, films = abs(one_sided), dark if one_sided > 0 else ~dark
+    if most < LEAST_ONE_SIDED:
+        sys.exit("there are no films that hang together: neither what is dark nor what is bright encloses the other "
+                 f"(by {most:.2f}, where films do by {LEAST_ONE_SIDED} to 1)")
+    return films
+
+
 def bubbles_in(picture):
     """The number of the bubble that each pixel belongs to, from 1: basins around the places farthest from films."""
-    smooth = filters.gaussian(picture, 1)
-    depth = filters.gaussian(distance_transform_edt(smooth > filters.threshold_local(smooth, 31, offset=0.02)), 1)
+    depth = filters.gaussian(distance_transform_edt(~films_in(picture)), 1)
     basins = segmentation.watershed(-depth, measure.label(morphology.h_maxima(depth, 1)))
     areas = np.bincount(basins.ravel())
     usual = (areas > np.median(areas) / 20) & (areas < 5 * np.median(areas))  # neither specks nor the world

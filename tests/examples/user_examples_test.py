@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy
 from paraview import simple
 from PIL import Image
+from scipy.spatial import cKDTree
 from skimage import measure
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -232,7 +233,7 @@ class Picture(Example):
         made = shapes(coarsen.GetOutput(1)) * [scale, scale, scale**2] + [*corner, 0]
         numpy.testing.assert_allclose(made[nearest], drawn, atol=0.03)
 
-    def test_what_is_no_picture_of_dark_films_is_refused(self):
+    def test_what_is_no_picture_of_films_is_refused(self):
         foam = foam_of(60)
         foam.Update()
         self.draw(foam.GetOutput(0))
@@ -240,8 +241,8 @@ class Picture(Example):
             dark = numpy.asarray(picture.convert("L"))
         labels = measure.label(dark > 128, connectivity=1)
         random = numpy.random.default_rng(1)
-        for name, pixels, words in (("bright", 255 - dark, "invert"), ("blank", 0 * dark + 200, "blank"),
-                                    ("black", 0 * dark, "blank"), ("labels", labels.astype(numpy.uint8), "numbered"),
+        for name, pixels, words in (("blank", 0 * dark + 200, "blank"), ("black", 0 * dark, "blank"),
+                                    ("labels", labels.astype(numpy.uint8), "numbered"),
                                     ("labels16", labels.astype(numpy.uint16), "numbered"),
                                     ("regions", random.permutation(256)[labels].astype(numpy.uint8), "numbered"),
                                     ("cut", dark[:20, :20], "20 x 20 pixels")):
@@ -251,6 +252,9 @@ class Picture(Example):
                 foam_in_picture.read_picture(path, 0, 0, 0, 0)
             self.assertIn(words, str(refused.exception))
             self.assertIn(f"{name}.png", str(refused.exception))
+        with self.assertRaises(SystemExit) as refused:
+            foam_in_picture.films_in(random.uniform(size=dark.shape))
+        self.assertIn("no films that hang together", str(refused.exception))
         self.assertEqual(foam_in_picture.read_picture(self.folder / "foam.png", 0, 0, 0, 0).shape, dark.shape)
         process = run("foam_from_picture.py", "--picture", self.folder / "blank.png", "--output", self.folder)
         self.assertNotEqual(process.returncode, 0)
@@ -269,6 +273,62 @@ class Picture(Example):
         self.assertNotEqual(process.returncode, 0)
         self.assertIn("none.png", process.stderr)
         self.assertNotIn("Traceback", process.stderr)
+
+
+class Polarity(unittest.TestCase):
+    """Films of any width, dark or bright, with a border round the foam or without: the same bubbles."""
+
+    PIXELS = 50  # per cm
+
+    @classmethod
+    def setUpClass(cls):
+        coarsen = vtkFoamCoarsen()
+        foam = foam_of(60)
+        coarsen.SetInputConnection(foam.GetOutputPort())
+        coarsen.SetChordError(1e-4)
+        coarsen.UpdateTimeStep(0.3)
+        films, cls.bubbles = coarsen.GetOutput(0), shapes(coarsen.GetOutput(1))
+        cls.bounds = numpy.array(films.GetBounds()[:4]).reshape(2, 2)
+        places = vtk_to_numpy(films.GetPoints().GetData())[:, :2]
+        lines = []
+        for i in range(films.GetNumberOfLines()):
+            ids = films.GetCell(i).GetPointIds()
+            lines.append(places[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]])
+        ink = [a + (b - a) * numpy.linspace(0, 1, 2 + int(4 * cls.PIXELS * math.dist(a, b)))[:, None]
+               for line in lines for a, b in zip(line, line[1:])]
+        cls.ink = cKDTree(numpy.vstack(ink))
+
+    def look_at(self, growth):
+        """Of the foam's bounds, grown (cm): each pixel's distance from films, and of each bubble the centroid and how
+        far that is from films and from the picture's edge, all in pixels."""
+        (left, right), (bottom, top) = self.bounds + [-growth, growth]
+        x, y = (numpy.arange(a, b, 1 / self.PIXELS) + 0.5 / self.PIXELS for a, b in ((left, right), (bottom, top)))
+        distance, _ = self.ink.query(numpy.stack(numpy.meshgrid(x, y), axis=-1))
+        places = (self.bubbles[:, :2] - [left, bottom]) * self.PIXELS
+        inner, _ = self.ink.query(self.bubbles[:, :2])
+        edge = numpy.minimum(places, distance.shape[::-1] - places).min(axis=1)
+        return distance * self.PIXELS, places, inner * self.PIXELS, edge
+
+    def test_any_films(self):
+        random = numpy.random.default_rng(5)
+        for growth in (0.5, -1):
+            distance, places, inner, edge = self.look_at(growth)
+            for width in (1, 4, 10, 20):
+                dark = numpy.clip(distance - width / 2 + 0.5, 0, 1)
+                dark = numpy.clip(dark + random.normal(0, 0.1, dark.shape), 0, 1)
+                found = []
+                for picture in (dark, 1 - dark):
+                    labels = foam_in_picture.bubbles_in(picture)
+                    found.append([(r.centroid[1] + 0.5, r.centroid[0] + 0.5) for r in measure.regionprops(labels)])
+                with self.subTest(growth=growth, width=width):
+                    self.assertEqual(len(found[0]), len(found[1]))
+                    self.assertLess(cKDTree(found[0]).query(found[1])[0].max(), 0.1)
+                    # Each is one that was drawn, and all are found that are to be seen, and not cut off.
+                    off, which = cKDTree(places).query(found[0])
+                    self.assertLess(off.max(), 3)
+                    seen = numpy.flatnonzero((inner > width / 2 + 3) & (edge > self.PIXELS))
+                    self.assertLessEqual(set(seen), set(which))
+                    self.assertGreater(len(seen), 5)
 
 
 def tearDownModule():

@@ -19,14 +19,13 @@ inline bool relax_in_steps(Foam& foam, int steps, double shortness, double close
                            const AbortCheck& aborted) {
   constexpr double kLeast = 1e-3; // of a target area, that a bubble is taken to have
   Foam way = foam;
+  const double gas = foam.bubble_count() * foam.mean_area();
   const auto fill = [&](double rest) { // A^τ·(A/A^τ)^rest, of as much gas in all
-    double gas = 0;
     double sum = 0;
     for (const Bubble b : foam.bubble_slots()) {
       if (foam.has_bubble(b)) {
         const double target = foam.target_area[b];
         way.target_area[b] = target * std::pow(std::max(foam.area(b) / target, kLeast), rest);
-        gas += target;
         sum += way.target_area[b];
       }
     }
@@ -52,13 +51,10 @@ inline void take_size_of_gas(Foam& foam) {
     return;
   }
   double area = 0;
-  double gas = 0;
   for (const Bubble b : foam.bubble_slots()) {
-    if (foam.has_bubble(b)) {
-      area += foam.area(b);
-      gas += foam.target_area[b];
-    }
+    area += foam.has_bubble(b) ? foam.area(b) : 0;
   }
+  const double gas = foam.bubble_count() * foam.mean_area();
   if (!(area > 0) || std::max(area / gas, gas / area) < kFar) {
     return;
   }
@@ -68,10 +64,7 @@ inline void take_size_of_gas(Foam& foam) {
   for (Vec2& position : foam.position) {
     position = middle + length * (position - middle);
   }
-  const double factor = pressure_factor(foam);
-  for (double& pressure : foam.pressure) {
-    pressure *= factor;
-  }
+  fit_bubble_pressures(foam);
 }
 
 /// Brings a foam to equilibrium from wherever it is. Where Newton's method may not be up to that,

@@ -127,21 +127,34 @@ TEST(FarStart, NewtonsMethodWithoutAMatrixGetsThereToo) {
   }
 }
 
-// Blown up or shrunk as a whole it is the same foam at the same place.
+// Blown up or shrunk as a whole it is the same foam at the same place, whatever presses on it from
+// around: the world's pressure is given, and only what bubbles have more of it goes with their
+// size.
 TEST(FarStart, AFreeFoamOfAnotherSizeIsTheSame) {
   Foam before = FarStart{Points::Jittered, Boundary::Free, 60, 0.3, 1}.foam();
   equilibrate(before);
   const Vec2 middle{3, 5};
-  for (const double size : {1e-4, 1e-3, 0.4, 3.0, 300.0, 1000.0, 1e4}) {
-    Foam foam = before;
-    for (Vec2& x : foam.position) {
-      x = middle + size * (x - middle);
+  for (const double world : {0.0, 10.0}) {
+    for (const double size : {1e-4, 1e-3, 0.4, 3.0, 300.0, 1000.0, 1e4}) {
+      Foam foam = before;
+      for (Vec2& x : foam.position) {
+        x = middle + size * (x - middle);
+      }
+      foam.exterior[kWorld.outside()].pressure = world;
+      for (double& pressure : foam.pressure) {
+        pressure += world;
+      }
+      equilibrate(foam);
+      expect_valid(foam);
+      expect_equilibrium(foam);
+      EXPECT_EQ(foam.exterior[kWorld.outside()].pressure, world);
+      EXPECT_EQ(foam.t1_count, before.t1_count) << size;
+      EXPECT_NEAR(foam.energy(), before.energy(), 1e-10 * before.energy()) << size;
+      for (const Bubble b : foam.bubble_slots()) {
+        EXPECT_NEAR(foam.pressure[b] - world, before.pressure[b], 1e-9);
+      }
+      EXPECT_LE(foam.report.iterations, 10);
     }
-    equilibrate(foam);
-    expect_valid(foam);
-    expect_equilibrium(foam);
-    EXPECT_EQ(foam.t1_count, before.t1_count) << size;
-    EXPECT_NEAR(foam.energy(), before.energy(), 1e-10 * before.energy()) << size;
   }
 }
 

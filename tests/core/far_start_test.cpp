@@ -14,6 +14,7 @@
 #include "equilibrium/compressible_relaxation.h"
 #include "equilibrium/equilibrator.h"
 #include "far_starts.h"
+#include "physics/measured_targets.h"
 #include "physics/obstacle.h"
 
 namespace foam::test {
@@ -155,6 +156,29 @@ TEST(FarStart, AFreeFoamOfAnotherSizeIsTheSame) {
       }
       EXPECT_LE(foam.report.iterations, 10);
     }
+  }
+}
+
+// Pressures of another size go with the arcs again, the world's being what it was.
+TEST(FarStart, PressuresAreFittedAboveTheWorlds) {
+  Foam foam = FarStart{Points::Jittered, Boundary::Free, 60, 0.3, 1}.foam();
+  equilibrate(foam);
+  constexpr double kSize = 3;
+  constexpr double kAround = 10;
+  const Foam before = foam;
+  for (Vec2& x : foam.position) {
+    x = kSize * x;
+  }
+  foam.exterior[kWorld.outside()].pressure = kAround;
+  for (double& pressure : foam.pressure) {
+    pressure += kAround;
+  }
+  EXPECT_GT(max_curvature_error(foam), 0.1);
+  EXPECT_NEAR(fit_bubble_pressures(foam), 1 / kSize, 1e-9);
+  EXPECT_LT(max_curvature_error(foam), 1e-8);
+  EXPECT_EQ(foam.exterior[kWorld.outside()].pressure, kAround);
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_NEAR(foam.pressure[b], kAround + before.pressure[b] / kSize, 1e-8);
   }
 }
 

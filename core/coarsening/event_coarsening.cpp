@@ -139,32 +139,24 @@ void EventCoarsening::note_thresholds() {
 std::optional<Obstacle> EventCoarsening::integrate(bool whole, const AbortCheck& aborted) {
   whole_ = whole;
   double remaining = options_.time_step;
-  while (true) {
-    unit_of_time_ =
-        foam_.mean_area() / von_neumann_constant(foam_.surface_tension, options_.permeability);
-    const double steps = stands_still(remaining)
-                             ? 1
-                             : std::max(std::ceil(remaining / (kLongestStep * unit_of_time_)), 1.0);
-    step_ = remaining / steps;
-    if (const auto obstacle = step(aborted)) {
+  do {
+    if (const auto obstacle = step(remaining, aborted)) {
       return obstacle;
     }
-    if (steps == 1) {
-      return std::nullopt;
-    }
     remaining -= step_;
-  }
+  } while (remaining > 0);
+  return std::nullopt;
 }
 
-/// Whether no bubble's area changes in a time (s) but for rounding: all have six sides, say.
-bool EventCoarsening::stands_still(double time) const {
-  const Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+/// The first of equal steps into which a time (s) is divided, s. Where no bubble's area changes in
+/// it but for rounding, as all have six sides, say, that is all of it.
+double EventCoarsening::length_of_step(double time, const Field<Bubble, double>& rates) const {
   for (const Bubble b : foam_.bubble_slots()) {
     if (foam_.has_bubble(b) && std::abs(rates[b]) * time > kReached * foam_.target_area[b]) {
-      return false;
+      return time / std::max(std::ceil(time / (kLongestStep * unit_of_time_)), 1.0);
     }
   }
-  return true;
+  return time;
 }
 
 /// Takes the thresholds of the foam as it is, with what is too small for any foam.
@@ -179,10 +171,12 @@ void EventCoarsening::set_limits() {
   smallest_area_ = kSmallestArea * mean_area;
 }
 
-/// Goes through a step from one event to the next.
-std::optional<Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
+/// Goes through a step of at most the remaining time (s) from one event to the next.
+std::optional<Obstacle> EventCoarsening::step(double remaining, const AbortCheck& aborted) {
   now_ = 0;
   changed_ = 0;
+  unit_of_time_ =
+      foam_.mean_area() / von_neumann_constant(foam_.surface_tension, options_.permeability);
   set_limits();
   if (foam_.bubble_count() > 2 && largest_area(foam_) <= limit_.t2_area) {
     return Obstacle{End::Cause::AllVanish};
@@ -190,7 +184,9 @@ std::optional<Obstacle> EventCoarsening::step(const AbortCheck& aborted) {
   if (!foam_.report.converged) { // what follows is the response of an equilibrium
     iterations_ += newton_.equilibrate(foam_, limit_.t1_length, aborted).iterations;
   }
-  predict_whole();
+  Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
+  step_ = length_of_step(remaining, rates);
+  predict_whole(std::move(rates));
   queue_.clear(foam_);
   if (options_.two_sided_bubbles == TwoSidedBubbles::Slide) {
     slide_two_sided_bubbles(aborted);
@@ -373,10 +369,13 @@ bool EventCoarsening::correct_areas(double interval, double& part, const AbortCh
   return true;
 }
 
-/// \pre the whole foam stands at this instant
 void EventCoarsening::predict_whole() {
+  predict_whole(area_rates(foam_, options_.permeability));
+}
+
+/// \param rates of the bubbles' areas \pre the whole foam stands at this instant
+void EventCoarsening::predict_whole(Field<Bubble, double> rates) {
   set_limits();
-  Field<Bubble, double> rates = area_rates(foam_, options_.permeability);
   const newton::StepView* response = newton_.response(foam_, rates, motion_.expected(), drift());
   motion_.begin(foam_, std::move(rates), now_);
   if (response != nullptr) {

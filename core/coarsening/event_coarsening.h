@@ -46,15 +46,16 @@ private:
   };
 
   std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
-  bool stands_still(double time) const;
+  double length_of_step(double time, const Field<Bubble, double>& rates) const;
   void set_limits();
   void note_thresholds();
-  std::optional<Obstacle> step(const AbortCheck& aborted);
+  std::optional<Obstacle> step(double remaining, const AbortCheck& aborted);
   std::optional<Obstacle> step_by_patches(const AbortCheck& aborted);
   std::optional<Obstacle> step_whole(const AbortCheck& aborted);
   bool arrive(double time, const AbortCheck& aborted);
   bool correct_areas(double interval, double& part, const AbortCheck& aborted);
   void predict_whole();
+  void predict_whole(Field<Bubble, double> rates);
   /// At which a foam may leave equilibrium along its response, 1/s: in a step by so much that one
   /// more step of Newton's method is enough.
   double drift() const { return 300 * options_.equilibrator.tolerance / step_; }

@@ -65,7 +65,8 @@ public:
 
   ///@{
   /**
-   * Newton: largest dimensionless residual of an equilibrium, > 0. Default 1e-9.
+   * Newton: largest dimensionless residual of an equilibrium, > 0. Default 1e-9. Below 1e-11
+   * iterations also end, as converged, where rounding lets them get no nearer.
    */
   foamOptionMacro(Tolerance, double);
   ///@}

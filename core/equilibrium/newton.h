@@ -40,6 +40,7 @@ inline constexpr double kShortStart = 0.25;  // part of its first step that can 
 inline constexpr double kContraction = 0.25; // what a reused step must achieve
 inline constexpr double kClose = 1e-6;       // residual from which on no progress is the end …
 inline constexpr int kLongestStall = 24;     // … after so many iterations
+inline constexpr double kRounding = 1e-11;   // residual that rounding of coordinates may leave
 inline constexpr double kSmallestFraction = 1e-4; // of a line search
 
 /// Whether iterations get on.
@@ -50,6 +51,9 @@ public:
     best_ = std::min(best_, residual);
     return !std::isfinite(residual) || (best_ < kClose && since_best_ > kLongestStall);
   }
+  /// Whether they are as near as rounding lets them come, whatever the tolerance: a step of
+  /// Newton's from so near would square the residual.
+  bool at_rounding() const { return best_ < kRounding && since_best_ > 0; }
 
 private:
   double best_ = std::numeric_limits<double>::infinity();
@@ -96,6 +100,9 @@ public:
       }
       if (progress.stalled(residual.largest()) || iterations >= most) {
         return {false, residual};
+      }
+      if (progress.at_rounding()) {
+        return {true, residual};
       }
       ++iterations;
       if (reuse(problem, solver, tolerance, residual)) {

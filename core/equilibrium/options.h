@@ -50,7 +50,9 @@ struct JunctionOptions {
 struct EquilibratorOptions {
   EquilibratorKind kind = EquilibratorKind::Newton;
   Device device = Device::Auto;
-  double tolerance = 1e-9;      ///< Newton: largest dimensionless residual of an equilibrium, > 0
+  /// Newton: largest dimensionless residual of an equilibrium, > 0; below newton::kRounding also
+  /// one that rounding lets get no smaller.
+  double tolerance = 1e-9;
   int maximum_iterations = 256; ///< > 0
   /// Direct only for Newton with Device::CUDA, in a build with cuDSS.
   LinearSolver linear_solver = LinearSolver::Iterative;

@@ -6,80 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 
-#include "foams.h"
+#include "scaled_foams.h"
 
-namespace foam {
+namespace foam::test {
 namespace {
-
-constexpr double kTension = 0.25; // N/cm, of the foam that others are compared with
-
-/// What a foam is multiplied by, and where it is put, in spacings.
-struct Scale {
-  double length = 1;
-  double tension = 1;
-  Vec2 shift;
-};
-
-std::string name(const Scale& scale) {
-  return "lengths times " + std::to_string(scale.length) + ", tensions times " +
-         std::to_string(scale.tension) + ", moved by " + std::to_string(scale.shift.x) + ": ";
-}
-
-BuildOptions build_options(Boundary boundary, Index bubbles, const Scale& scale) {
-  BuildOptions options;
-  options.boundary = boundary;
-  options.surface_tension = kTension * scale.tension;
-  if (boundary == Boundary::Periodic) {
-    const Vec2 corner = grid_corner(bubbles, scale.length);
-    options.torus = Lattice{scale.length * scale.shift, {corner.x, 0}, {0, corner.y}};
-  }
-  return options;
-}
-
-/// A random foam in equilibrium.
-Foam scaled_foam(Boundary boundary, Index bubbles, std::uint64_t seed, const Scale& scale) {
-  std::vector<Vec2> points = jittered_grid(bubbles, scale.length, 1, seed);
-  for (Vec2& point : points) {
-    point += scale.length * scale.shift;
-  }
-  Foam foam = build_from_points(points, build_options(boundary, bubbles, scale));
-  test::equilibrate(foam);
-  return foam;
-}
-
-/// In which the foam of scale 1 loses about a twentieth of its bubbles in 20 frames.
-CoarseningOptions coarsening_options(Stepping stepping, const Scale& scale) {
-  CoarseningOptions options = test::thesis_options();
-  options.stepping = stepping;
-  options.time_step = scale.length * scale.length / scale.tension / 30;
-  options.thresholds.t1_length = 0.025 * scale.length;
-  options.thresholds.t2_area = 0.05 * scale.length * scale.length;
-  return options;
-}
-
-std::unique_ptr<Coarsening> coarsened(Foam foam, const CoarseningOptions& options) {
-  auto coarsening = make_coarsening(options);
-  coarsening->restart(std::move(foam));
-  for (int frame = 0; frame < 20; ++frame) {
-    coarsening->advance({});
-    EXPECT_TRUE(coarsening->record().report.converged) << "frame " << frame;
-  }
-  return coarsening;
-}
-
-void expect_same_foam(const Foam& foam, const Scale& scale, const Foam& reference,
-                      double tolerance) {
-  const double energy = scale.length * scale.tension * reference.energy();
-  EXPECT_NEAR(foam.energy(), energy, tolerance * energy) << name(scale);
-  EXPECT_EQ(foam.bubble_count(), reference.bubble_count()) << name(scale);
-  EXPECT_EQ(foam.t1_count, reference.t1_count) << name(scale);
-  EXPECT_EQ(foam.t2_count, reference.t2_count) << name(scale);
-  EXPECT_EQ(foam.sides, reference.sides) << name(scale);
-  EXPECT_NEAR(foam.time, scale.length * scale.length / scale.tension * reference.time,
-              1e-12 * foam.time);
-}
 
 TEST(Units, ChangeNothingButNumbers) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic, Boundary::Fixed}) {
@@ -93,7 +24,7 @@ TEST(Units, ChangeNothingButNumbers) {
         const Foam scaled = scaled_foam(boundary, 64, 5, scale);
         expect_same_foam(scaled, scale, start, 1e-12);
         const auto coarsening = coarsened(scaled, coarsening_options(stepping, scale));
-        test::expect_valid(coarsening->foam(), name(scale));
+        expect_valid(coarsening->foam(), name(scale));
         expect_same_foam(coarsening->foam(), scale, reference->foam(), 1e-12);
       }
     }
@@ -162,4 +93,4 @@ TEST(Units, AreTheThesisOwnNearItsFoams) {
 }
 
 } // namespace
-} // namespace foam
+} // namespace foam::test

@@ -54,7 +54,6 @@ void HideEarlierBubbles(vtkSMProxy* bubbles) {
 
 void vtkSMFoamBubblesInitializationHelper::PostInitializeProxy(vtkSMProxy* bubbles,
                                                                vtkPVXMLElement*, vtkMTimeType) {
-  vtkSMPropertyHelper(bubbles, "Triangulate").Set(1);
   ColourBySides(bubbles);
   bubbles->UpdateVTKObjects();
   HideEarlierBubbles(bubbles);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class vtkSMFoamBubblesInitializationHelper
- * @brief How bubbles look at first: their true shape, coloured by their number of sides.
+ * @brief How bubbles look at first: coloured by their number of sides.
  *
- * ParaView fills polygons as if they were convex, unless it triangulates them first. Colours run
- * from three sides to nine, so that the middle of a diverging map is six: by von Neumann's law
- * bubbles on one side of it shrink and on the other grow. The bubbles that these came from are
- * hidden, as ParaView hides a filter's input.
+ * Colours run from three sides to nine, so that the middle of a diverging map is six: by von
+ * Neumann's law bubbles on one side of it shrink and on the other grow. The bubbles that these came
+ * from are hidden, as ParaView hides a filter's input.
  */
 #ifndef vtkSMFoamBubblesInitializationHelper_h
 #define vtkSMFoamBubblesInitializationHelper_h

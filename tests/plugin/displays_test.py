@@ -47,12 +47,11 @@ class Displays(unittest.TestCase):
 
 
 class Bubbles(Displays):
-    def test_true_shapes_coloured_by_sides(self):
+    def test_coloured_by_sides(self):
         view = simple.CreateRenderView()
         for source in (self.foam, self.coarsen):
             _, display = self.show(source, 1, view)
             self.assertEqual(display.SMProxy.GetXMLName(), "FoamBubblesRepresentation")
-            self.assertEqual(display.Triangulate, 1)
             self.assertEqual(list(display.ColorArrayName), ["CELLS", "Sides"])
             points = list(display.LookupTable.RGBPoints)
             self.assertEqual((points[0], points[-4]), (3, 9))

@@ -49,7 +49,8 @@ public:
 
 private:
   newton::WholeFoamMatrix matrix() const {
-    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data())};
+    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data()),
+            FieldView<Film, const FilmGradient>(gradient_.data()), units_.length};
   }
 
   Host host_{1};

@@ -131,7 +131,7 @@ Lattice read_lattice(vtkFieldData* data, bool periodic) {
 void read_state(vtkFieldData* data, FilmSet& set) {
   set.time = single(data, "TimeValue");
   set.surface_tension = single(data, "SurfaceTension");
-  set.surroundings.boundary = static_cast<Boundary>(single_integer(data, "Boundary", 0, 2));
+  set.surroundings.boundary = static_cast<Boundary>(single_integer(data, "Boundary", 0, 3));
   set.surroundings.lattice = read_lattice(data, set.surroundings.periodic());
   set.t1_count = single_integer(data, "T1Count", 0, kLargestInteger);
   set.t2_count = single_integer(data, "T2Count", 0, kLargestInteger);
@@ -203,10 +203,12 @@ std::vector<Index> read_junction_ids(vtkPolyData* films) {
 Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film, double rounding) {
   const Vec2 place = set.junctions[place_of(junction)];
   const auto& [origin, first, second] = set.surroundings.lattice;
-  const bool periodic = set.surroundings.periodic();
-  const double tolerance = std::clamp(4 * rounding * std::max(norm(first), norm(second)) /
-                                          set.surroundings.lattice.area(),
-                                      kImageTolerance, kLargestImageTolerance);
+  const bool periodic = set.surroundings.has_images();
+  const double longest = std::max(norm(first), norm(second));
+  const double area = set.surroundings.periodic() ? set.surroundings.lattice.area()
+                                                  : longest * longest; // of a channel
+  const double tolerance =
+      std::clamp(4 * rounding * longest / area, kImageTolerance, kLargestImageTolerance);
   const Vec2 count = periodic ? Lattice{{}, first, second}.coordinates(image - place) : Vec2{};
   const auto whole = [&](double n) {
     return std::abs(n - std::round(n)) < tolerance && std::abs(n) < 1e6;
@@ -287,6 +289,99 @@ void read_outsides(vtkFieldData* data, FilmSet& set) {
   }
 }
 
+/// Moves walls as the films have been since they were written, by a Transform, say: as three of
+/// their junctions have. \param rounding of a coordinate
+void move_walls(vtkFieldData* data, double rounding, FilmSet& set) {
+  constexpr double kSimilar = 1e-6;
+  vtkDataArray* frame = Column::find(data, "WallFrame");
+  if (frame->GetNumberOfComponents() != 3 || frame->GetNumberOfTuples() != 3) {
+    not_a_foam("array WallFrame has ", frame->GetNumberOfValues(), " values, not 9");
+  }
+  std::array<Vec2, 3> before{};
+  std::array<Vec2, 3> after{};
+  bool moved = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double tuple[3];
+    frame->GetTuple(static_cast<vtkIdType>(i), tuple);
+    if (!(tuple[0] >= 0 && tuple[0] < static_cast<double>(set.junctions.size()))) {
+      not_a_foam("WallFrame names junction ", tuple[0], ", which does not exist");
+    }
+    before[i] = {tuple[1], tuple[2]};
+    after[i] = set.junctions[static_cast<std::size_t>(tuple[0])];
+    moved = moved || norm(after[i] - before[i]) > 4 * rounding;
+  }
+  if (!moved) {
+    return;
+  }
+  const Vec2 a = before[1] - before[0];
+  const Vec2 b = before[2] - before[0];
+  const Vec2 c = after[1] - after[0];
+  const Vec2 d = after[2] - after[0];
+  const auto image = [&](Vec2 v) { // of a vector: what c and d are of a and b
+    return (cross(v, b) / cross(a, b)) * c + (cross(a, v) / cross(a, b)) * d;
+  };
+  const Vec2 x = image({1, 0});
+  const Vec2 y = image({0, 1});
+  const bool mirrored = cross(x, y) < 0;
+  const bool similar = norm((mirrored ? -y : y) - left_normal(x)) < kSimilar * norm(x);
+  for (WallPiece& piece : set.wall_pieces) {
+    if (!similar && piece.half_angle != 0) {
+      not_a_foam("its round walls have been distorted: were the films transformed?");
+    }
+    const Vec2 way = image(piece.chord);
+    piece.start = after[0] + image((mirrored ? piece.end() : piece.start) - before[0]);
+    piece.chord = mirrored ? -way : way; // the foam is on the left again
+  }
+  for (const Exterior& wall : set.exteriors) {
+    if (mirrored) {
+      const auto first = set.wall_pieces.begin() + wall.first_piece;
+      std::reverse(first, first + wall.pieces);
+    }
+  }
+}
+
+/// What write_walls() has written.
+void read_walls(vtkFieldData* data, double rounding, FilmSet& set) {
+  constexpr int kComponents = 6;
+  if (!set.surroundings.has_walls() || !data->HasArray("WallPieces")) {
+    return;
+  }
+  vtkDataArray* pieces = Column::find(data, "WallPieces");
+  const vtkIdType count = Column::find(data, "WallContact")->GetNumberOfTuples();
+  const Column contact(data, "WallContact", count, "wall");
+  if (pieces->GetNumberOfComponents() != kComponents) {
+    not_a_foam("array WallPieces has ", pieces->GetNumberOfComponents(), " components, not ",
+               kComponents);
+  }
+  set.exteriors.resize(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i) {
+    Exterior& wall = set.exteriors[static_cast<std::size_t>(i)];
+    wall.kind = Exterior::Kind::Solid;
+    wall.contact = static_cast<WallContact>(contact.integer(i, 0, 1));
+  }
+  vtkIdType last = 0;
+  for (vtkIdType i = 0; i < pieces->GetNumberOfTuples(); ++i) {
+    std::array<double, kComponents> p{};
+    pieces->GetTuple(i, p.data());
+    const auto wall = static_cast<vtkIdType>(p[0]);
+    if (!std::ranges::all_of(p, [](double v) { return std::isfinite(v); }) || wall < last ||
+        wall >= count || static_cast<double>(wall) != p[0]) {
+      not_a_foam("piece ", i, " of WallPieces belongs to wall ", p[0]);
+    }
+    last = wall;
+    Exterior& of = set.exteriors[static_cast<std::size_t>(wall)];
+    of.first_piece = of.pieces == 0 ? static_cast<Index>(i) : of.first_piece;
+    ++of.pieces;
+    set.wall_pieces.push_back({{p[1], p[2]}, {p[3], p[4]}, p[5]});
+  }
+  move_walls(data, rounding, set);
+  for (vtkIdType i = 0; i < count; ++i) {
+    if (set.exteriors[static_cast<std::size_t>(i)].pieces == 0) {
+      not_a_foam("wall ", i, " has no pieces");
+    }
+  }
+}
+
 /// A single value in the field data; 0 if there is none.
 double value_or_zero(vtkPolyData* films, const char* name) {
   vtkDataArray* array = films ? films->GetFieldData()->GetArray(name) : nullptr;
@@ -321,12 +416,29 @@ void check_plane(vtkPolyData* films) {
   }
 }
 
+/// Of the polygon through the ends of films on walls, walked with the foam on the left.
+double area_between_contacts(const Foam& foam) {
+  double area = 0;
+  for (const Half h : foam.half_slots()) {
+    if (foam.solid(foam.right(h))) {
+      area += 0.5 * cross(foam.position[foam.start(h)] - foam.position[Junction(0)], foam.chord(h));
+    }
+  }
+  return area;
+}
+
 /// \throws FoamError for bubbles that cover nothing, as mirrored ones do, and for a torus whose
 /// bubbles do not cover its cell once, as one that was scaled by a whole number does not.
 void check_cover(const Foam& foam) {
   double covered = 0;
   for (const Bubble b : foam.bubble_slots()) {
     covered += foam.area(b);
+  }
+  constexpr double kRounding = 1e-9;
+  if (foam.surroundings.has_walls() && !foam.surroundings.has_images() &&
+      area_between_contacts(foam) <
+          -kRounding * std::abs(covered)) { // walls have been turned round
+    covered = -std::abs(covered);
   }
   if (!(covered > 0)) {
     not_a_foam("the area of its bubbles is ", covered,
@@ -381,6 +493,7 @@ FilmSet read_films(vtkPolyData* films) {
   read_polylines(films, junction_of, set);
   read_tensions(films->GetCellData(), set);
   read_outsides(data, set);
+  read_walls(data, coordinate_rounding(films), set);
   return set;
 }
 

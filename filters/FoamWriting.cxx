@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -84,7 +85,7 @@ void write_lattice(const Surroundings& surroundings, vtkFieldData* data) {
   const double xmax = origin.x + first.x;
   const double ymax = origin.y + second.y;
   add_numbers(data, "PeriodicBounds", {origin.x, xmax, origin.y, ymax});
-  if (surroundings.periodic() &&
+  if (surroundings.has_images() &&
       surroundings.lattice != Lattice::rectangle(origin.x, xmax, origin.y, ymax)) {
     add_numbers(data, "PeriodVectors", {first.x, first.y, second.x, second.y});
   }
@@ -95,6 +96,66 @@ void write_outsides(const std::vector<Exterior>& exteriors, vtkFieldData* data) 
     add_column<vtkDoubleArray>(data, "OutsidePressure", exteriors,
                                [](const Exterior& e) { return e.pressure; });
   }
+}
+
+/// Three junctions, and where they lie: walls are there as long as these are, and have been moved
+/// with the films if these have.
+void write_wall_frame(const FilmPolylines& films, vtkFieldData* data) {
+  std::vector<Vec2> places; // of the junctions, which come first
+  for (std::size_t i = 0; i < films.points.size(); ++i) {
+    if (films.junction_id[i] == static_cast<std::int64_t>(i)) {
+      places.push_back({films.points[i][0], films.points[i][1]});
+    }
+  }
+  const auto farthest = [&](const auto& distance) {
+    return static_cast<std::size_t>(std::ranges::max_element(places, {}, distance) -
+                                    places.begin());
+  };
+  const std::size_t first = farthest([](Vec2 p) { return -p.x; });
+  const Vec2 origin = places[first];
+  const std::size_t second = farthest([&](Vec2 p) { return norm(p - origin); });
+  const Vec2 along = places[second] - origin;
+  const std::size_t third = farthest([&](Vec2 p) { return std::abs(cross(along, p - origin)); });
+  vtkNew<vtkDoubleArray> frame;
+  frame->SetName("WallFrame");
+  frame->SetNumberOfComponents(3);
+  for (const std::size_t junction : {first, second, third}) {
+    const double tuple[] = {static_cast<double>(junction), places[junction].x, places[junction].y};
+    frame->InsertNextTuple(tuple);
+  }
+  data->AddArray(frame);
+}
+
+/// The pieces of walls: where each starts, the way to its end, its half-angle, and whose outside's
+/// it is. Of each wall, how films end there, and what they and the gas do to it.
+void write_walls(const SampledFoam& foam, vtkFieldData* data) {
+  if (foam.wall_pieces.empty()) {
+    return;
+  }
+  vtkNew<vtkDoubleArray> pieces;
+  pieces->SetName("WallPieces");
+  pieces->SetNumberOfComponents(6);
+  std::size_t piece = 0;
+  for (std::size_t wall = 0; wall < foam.exteriors.size(); ++wall) {
+    for (Index i = 0; i < foam.exteriors[wall].pieces; ++i, ++piece) {
+      const WallPiece& p = foam.wall_pieces[piece];
+      const double tuple[] = {
+          static_cast<double>(wall), p.start.x, p.start.y, p.chord.x, p.chord.y, p.half_angle};
+      pieces->InsertNextTuple(tuple);
+    }
+  }
+  data->AddArray(pieces);
+  write_wall_frame(foam.films, data);
+  vtkNew<vtkDoubleArray> forces;
+  forces->SetName("WallForce");
+  forces->SetNumberOfComponents(4);
+  for (const WallForce& force : foam.wall_forces) {
+    const double tuple[] = {force.network.x, force.network.y, force.pressure.x, force.pressure.y};
+    forces->InsertNextTuple(tuple);
+  }
+  data->AddArray(forces);
+  add_column<vtkIntArray>(data, "WallContact", foam.exteriors,
+                          [](const Exterior& e) { return static_cast<int>(e.contact); });
 }
 
 /// Of the last frame of a run that could not go on.
@@ -119,6 +180,7 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   add_value<vtkIntArray>(data, "Boundary", record.surroundings.boundary);
   write_lattice(record.surroundings, data);
   write_outsides(foam.exteriors, data);
+  write_walls(foam, data);
   add_value<vtkDoubleArray>(data, "Energy", foam.energy);
   add_value<vtkDoubleArray>(data, "MaxAngleError", record.report.max_angle_error);
   add_value<vtkDoubleArray>(data, "MaxAreaError", record.report.max_area_error);
@@ -156,6 +218,9 @@ void write_films(const SampledFoam& foam, vtkPolyData* films) {
   add_array<vtkIntArray>(cells, "OnBoundary", lines.on_boundary);
   if (!lines.tension.empty()) {
     add_array<vtkDoubleArray>(cells, "FilmTension", lines.tension);
+  }
+  if (!lines.kind.empty()) {
+    add_array<vtkIntArray>(cells, "Kind", lines.kind);
   }
   write_state(foam, films->GetFieldData());
 }

@@ -12,8 +12,10 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -21,6 +23,7 @@
 
 #include "Message.h"
 #include "PipelineRequest.h"
+#include "construct/containers.h"
 #include "construct/from_points.h"
 #include "engines/engines.h"
 #include "physics/equilibrium_measures.h"
@@ -152,6 +155,55 @@ std::optional<foam::Lattice> ReadTorus(vtkPointSet* input, const double bounds[4
   return foam::Lattice::rectangle(bounds[0], bounds[1], bounds[2], bounds[3]);
 }
 
+/// None where they shall follow from the points.
+std::optional<foam::ContainerBounds> ReadContainerBounds(vtkPointSet* input, const double bounds[4],
+                                                         foam::ContainerShape shape) {
+  CheckFinite("ContainerBounds", bounds);
+  if (AnyOf(bounds)) {
+    return foam::ContainerBounds{bounds[0], bounds[1], bounds[2], bounds[3]};
+  }
+  const bool round = shape == foam::ContainerShape::Disc || shape == foam::ContainerShape::Annulus;
+  if (const auto grid = ReadGrid(input); grid && !round) {
+    const auto& [corner, first, second] = *grid;
+    return foam::ContainerBounds{corner.x, corner.x + first.x, corner.y, corner.y + second.y};
+  }
+  return std::nullopt;
+}
+
+/// The closed polylines and polygons of the second input, each without its first point again.
+std::vector<std::vector<foam::Vec2>> ReadOutlines(vtkInformationVector* walls) {
+  vtkPolyData* input = vtkPolyData::GetData(walls);
+  if (!input) {
+    fail("the container Outline takes closed polylines as its Walls, ",
+         walls->GetNumberOfInformationObjects() > 0
+             ? "but these are a " + std::string(vtkDataObject::GetData(walls)->GetClassName())
+             : "but there are none");
+  }
+  std::vector<std::vector<foam::Vec2>> outlines;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell) {
+    const int type = input->GetCellType(cell);
+    if (type == VTK_VERTEX || type == VTK_POLY_VERTEX) {
+      continue;
+    }
+    vtkNew<vtkIdList> ids;
+    input->GetCellPoints(cell, ids);
+    std::vector<foam::Vec2>& outline = outlines.emplace_back();
+    for (const vtkIdType id : *ids) {
+      double p[3];
+      input->GetPoint(id, p);
+      outline.push_back({p[0], p[1]});
+    }
+    const bool closed = outline.size() > 1 && outline.front() == outline.back();
+    if (closed) {
+      outline.pop_back();
+    } else if (type == VTK_LINE || type == VTK_POLY_LINE) {
+      fail("outline ", cell, " of the Walls is open: it begins at (", outline.front().x, ", ",
+           outline.front().y, ") and ends at (", outline.back().x, ", ", outline.back().y, ")");
+    }
+  }
+  return outlines;
+}
+
 /// How far a foam is from equilibrium: angles (rad) and areas (relative).
 double Residual(const foam::Foam& foam) {
   return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
@@ -168,15 +220,25 @@ using ThisClass = vtkFoamFromPoints;
   choice(TargetAreas, this->Options->target_areas) \
   option(FitAreas, bool, this->Options->fit_areas) \
   option(SurfaceTension, double, this->Options->surface_tension) \
-  option(FinSize, double, this->Options->fin_size)
+  option(FinSize, double, this->Options->fin_size) \
+  choice(Container, this->Walls->shape) \
+  option(InnerRadius, double, this->Walls->inner_radius) \
+  choice(WallContact, this->Walls->contact)
 // clang-format on
 
 FOAM_OPTIONS(foamDefineOption, foamDefineChoice)
 
-vtkFoamFromPoints::vtkFoamFromPoints() : Options(std::make_unique<foam::BuildOptions>()) {}
+vtkFoamFromPoints::vtkFoamFromPoints()
+    : Options(std::make_unique<foam::BuildOptions>()),
+      Walls(std::make_unique<foam::ContainerOptions>()) {
+  this->SetNumberOfInputPorts(2);
+}
 vtkFoamFromPoints::~vtkFoamFromPoints() = default;
 
-int vtkFoamFromPoints::FillInputPortInformation(int, vtkInformation* info) {
+int vtkFoamFromPoints::FillInputPortInformation(int port, vtkInformation* info) {
+  if (port == 1) {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
   return 1;
 }
@@ -185,6 +247,9 @@ int vtkFoamFromPoints::RequestUpdateExtent(vtkInformation* request, vtkInformati
                                            vtkInformationVector* outputs) {
   if (foam::filters::is_first_piece(request, outputs)) {
     foam::filters::request_whole(inputs[0]->GetInformationObject(0));
+    if (inputs[1]->GetNumberOfInformationObjects() > 0) {
+      foam::filters::request_whole(inputs[1]->GetInformationObject(0));
+    }
   }
   return 1;
 }
@@ -204,6 +269,14 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
   foam::BuildOptions options = *this->Options;
   if (options.boundary == foam::Boundary::Periodic) {
     options.torus = ReadTorus(input, this->PeriodicBounds, this->PeriodVectors, points);
+  }
+  if (options.boundary == foam::Boundary::Container) {
+    foam::ContainerOptions walls = *this->Walls;
+    walls.bounds = ReadContainerBounds(input, this->ContainerBounds, walls.shape);
+    if (walls.shape == foam::ContainerShape::Outline) {
+      walls.outlines = ReadOutlines(inputs[1]);
+    }
+    options.container = foam::make_container(walls, points);
   }
   if (options.target_areas == foam::TargetAreas::Array) {
     options.target_area_array = ReadTargetAreas(input, this->TargetAreaArray);
@@ -261,6 +334,7 @@ void vtkFoamFromPoints::PrintSelf(ostream& os, vtkIndent indent) {
   };
   print("PeriodicBounds", this->PeriodicBounds);
   print("PeriodVectors", this->PeriodVectors);
+  print("ContainerBounds", this->ContainerBounds);
   os << indent << "TargetAreaArray: " << this->TargetAreaArray << "\n"
      << indent << "Equilibrate: " << this->Equilibrate << "\n";
 }

@@ -36,6 +36,7 @@
 #ifndef __VTK_WRAP__
 namespace foam {
 struct BuildOptions;
+struct ContainerOptions;
 struct Foam;
 } // namespace foam
 #endif
@@ -46,16 +47,57 @@ public:
   vtkTypeMacro(vtkFoamFromPoints, vtkFoamEquilibratingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum BoundaryType { Free = 0, Periodic = 1, Fixed = 2 };
+  enum BoundaryType { Free = 0, Periodic = 1, Fixed = 2, Container = 3 };
+  enum ContainerType { Rectangle = 0, Disc = 1, Annulus = 2, Channel = 3, Outline = 4 };
+  enum WallContactType { Slip = 0, Pinned = 1 };
   enum TargetAreasType { Initial = 0, Uniform = 1, Array = 2 };
 
   ///@{
   /**
    * What surrounds the foam: Free (default), the world with pressure 0; Periodic, its own images on
-   * a torus; Fixed, a sealed container.
+   * a torus; Fixed, a sealed container of the shape that its first outline has, on which films are
+   * pinned; Container, walls of a shape of its own.
    */
-  foamChoiceMacro(Boundary, Free, Fixed);
+  foamChoiceMacro(Boundary, Free, Container);
   ///@}
+
+  ///@{
+  /**
+   * The shape of a container: Rectangle (default), Disc, Annulus, Channel, which is periodic along
+   * x and has walls along y, or Outline, the closed polylines of the second input, of which those
+   * inside another are obstacles.
+   */
+  foamChoiceMacro(Container, Rectangle, Outline);
+  ///@}
+
+  ///@{
+  /**
+   * The bounds of a container: xmin, xmax, ymin, ymax, cm. A disc, or an annulus, is the largest in
+   * them. Four zeros, the default, stand for bounds round the points.
+   */
+  vtkSetVector4Macro(ContainerBounds, double);
+  vtkGetVector4Macro(ContainerBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the obstacle in the middle of an annulus, cm. Default 1.
+   */
+  foamOptionMacro(InnerRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * How films end on the walls of a container: Slip (default), at 90°, and they slide along;
+   * Pinned, where they are in the initial mesh.
+   */
+  foamChoiceMacro(WallContact, Slip, Pinned);
+  ///@}
+
+  /**
+   * Walls for the container Outline: closed polylines or polygons.
+   */
+  void SetWallsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
   ///@{
   /**
@@ -156,10 +198,12 @@ private:
 
   double PeriodicBounds[4] = {0, 0, 0, 0};
   double PeriodVectors[4] = {0, 0, 0, 0};
+  double ContainerBounds[4] = {0, 0, 0, 0};
   std::string TargetAreaArray;
   bool Equilibrate = true;
 #ifndef __VTK_WRAP__
   std::unique_ptr<foam::BuildOptions> Options;
+  std::unique_ptr<foam::ContainerOptions> Walls;
 #endif
 };
 

@@ -7,6 +7,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from film_pictures import *
 
+sys.path.insert(0, str(ROOT / "examples"))
+import foam_in_outline
+
 SIDES = range(3, 10)
 
 
@@ -64,6 +67,28 @@ def from_points():
         show_foam(scene, foam)
         if not foam.Equilibrate:
             scene.show(dots(source, 0.08), "Surface", Ambient=1, Diffuse=0)
+        parts.append((caption, scene.picture()))
+        HideAll(scene.view)
+    return with_colours_of_sides(side_by_side(parts, 2))
+
+
+def containers():
+    spacing = 0.1
+    cells = np.array([(x, y) for x in np.arange(-1, 1, spacing) for y in np.arange(-1, 1, spacing)])
+    points = cells + np.random.default_rng(2).uniform(0.1, 0.9, cells.shape) * spacing
+    radius = np.hypot(*points.T)
+    walls = foam_in_outline.heart(120) / 17.5
+    parts = []
+    scene = Scene((370, 370), (0, 0), 2.1)
+    for caption, inside, properties in (
+            ("Disc", radius < 0.97, {}), ("Annulus", (radius < 0.97) & (radius > 0.38), {"InnerRadius": 0.36}),
+            ("Channel, periodic along x", np.abs(points[:, 1]) < 0.5, {"ContainerBounds": [-1, 1, -0.5, 0.5]}),
+            ("Outline", foam_in_outline.inside(walls, points),
+             {"Walls": PolyLineSource(Points=foam_in_outline.source(walls), Closed=1)})):
+        foam = FoamFromPoints(Input=PolyLineSource(Points=foam_in_outline.source(points[inside])), Boundary="Container",
+                              Container=caption.split(",")[0], **{"ContainerBounds": [-1, 1, -1, 1], **properties})
+        show_bubbles(OutputPort(foam, 1), scene.view)
+        scene.show(OutputPort(foam, 0), "Surface", LineWidth=2.5, Ambient=1, Diffuse=0)
         parts.append((caption, scene.picture()))
         HideAll(scene.view)
     return with_colours_of_sides(side_by_side(parts, 2))
@@ -150,6 +175,7 @@ if __name__ == "__main__":
     folder = Path(sys.argv[1])
     run = periodic_run()
     for name, made in (("proxy_points", points), ("proxy_from_points", from_points),
+                       ("proxy_containers", containers),
                        ("proxy_coarsen", lambda: coarsen(run)), ("proxy_series", lambda: series(run)),
                        ("proxy_statistics", lambda: statistics(run)), ("proxy_ensemble", ensemble)):
         made().save(folder / f"{name}.png")

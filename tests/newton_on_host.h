@@ -40,7 +40,8 @@ public:
   Index size() const { return newton::size_of(mesh_); }
   const newton::Units& units() const { return units_; }
   newton::WholeFoamMatrix matrix() const {
-    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data())};
+    return {mesh_, FieldView<Film, const FilmStiffness>(stiffness_.data()),
+            FieldView<Film, const FilmGradient>(gradient_.data()), units_.length};
   }
   bool is_unknown(Index i) const {
     return i < 2 * mesh_.junctions ? mesh_.moves(Junction(i / 2))

@@ -199,7 +199,7 @@ std::optional<Obstacle> EventCoarsening::step(double remaining, const AbortCheck
 
 std::optional<Obstacle> EventCoarsening::step_by_patches(const AbortCheck& aborted) {
   for (const Film f : foam_.film_slots()) {
-    if (foam_.bends(f) && film_is_due(f)) {
+    if (foam_.may_close(f) && film_is_due(f)) {
       schedule({.time = now_, .kind = Event::Kind::Close, .film = f});
     }
   }
@@ -273,7 +273,7 @@ bool EventCoarsening::has_short_film() const {
   for (const Film f : foam_.film_slots()) {
     const Half h = f.half();
     // An arc is no shorter than its chord.
-    if (foam_.bends(f) && norm(foam_.chord(h)) < limit_.t1_length &&
+    if (foam_.may_close(f) && norm(foam_.chord(h)) < limit_.t1_length &&
         foam_.length(h) < limit_.t1_length && spares_sides(foam_, f)) {
       return true;
     }
@@ -421,7 +421,7 @@ void EventCoarsening::schedule_bubble(Bubble bubble) {
 /// \pre the film stands at this instant
 void EventCoarsening::schedule_film(Film film) {
   queue_.cancel(film);
-  if (foam_.wall(film.half())) {
+  if (!foam_.may_close(film)) {
     return;
   }
   if (whole_) {
@@ -437,10 +437,9 @@ void EventCoarsening::schedule_film(Film film) {
   const double d = norm(chord);
   Event event{
       .time = std::numeric_limits<double>::infinity(), .kind = Event::Kind::Close, .film = film};
-  const double alpha = foam_.half_angle(film.half());
-  const double growth = arc_growth(chord, change, alpha, motion_.angle_rate(film));
+  const double growth = length_growth(film);
   if (growth < 0 && spares_sides(foam_, film)) {
-    const double excess = std::max(arc_shape(alpha).f * d - limit_.t1_length, 0.0);
+    const double excess = std::max(foam_.length(film.half()) - limit_.t1_length, 0.0);
     event.time = now_ + std::max(excess / -growth, kFinestStep * step_);
   }
   if (norm(change) > 0) {
@@ -457,15 +456,23 @@ void EventCoarsening::schedule_film(Film film) {
 /// When the film will have the T1 length, or has had it, s from now; a film collapses as √time or
 /// slower, so that its squared length, carried on, does not fall too fast.
 double EventCoarsening::time_to_close(Film film) const {
-  const Vec2 chord = foam_.chord(film.half());
   const double length = foam_.length(film.half());
-  const double growth = arc_growth(chord, motion_.chord_rate(foam_, film),
-                                   foam_.half_angle(film.half()), motion_.angle_rate(film));
+  const double growth = length_growth(film);
   if (growth >= 0 || !spares_sides(foam_, film)) {
     return std::numeric_limits<double>::infinity();
   }
   const double limit = limit_.t1_length;
   return (length - limit) * (length + limit) / (2 * length * -growth);
+}
+
+/// cm/s
+double EventCoarsening::length_growth(Film film) const {
+  const Half h = film.half();
+  if (foam_.wall(h)) {
+    return foam_.length(h) * motion_.relative_growth(foam_, film);
+  }
+  return arc_growth(foam_.chord(h), motion_.chord_rate(foam_, film), foam_.half_angle(h),
+                    motion_.angle_rate(film));
 }
 
 void EventCoarsening::schedule(const Event& event) {
@@ -611,8 +618,9 @@ bool EventCoarsening::reduce_sides(Bubble bubble, const AbortCheck& aborted) {
 
 /// Thesis 3.6.1: each two-sided bubble goes to the nearest corner and takes a side there.
 void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
+  const TwoSidedRule rule{options_.two_sided_bubbles, limit_.t1_length};
   for (const Bubble b : foam_.bubble_slots()) {
-    if (!can_perform_t3(foam_, b)) {
+    if (!can_perform_t3(foam_, b) || !rule.slides(foam_, b)) {
       continue;
     }
     slide_two_sided_bubble(foam_, b, limit_.t1_length);
@@ -637,8 +645,8 @@ void EventCoarsening::slide_two_sided_bubbles(const AbortCheck& aborted) {
 bool EventCoarsening::film_is_due(Film film) const {
   const bool is_short = whole_ ? time_to_close(film) <= same_time()
                                : foam_.length(film.half()) <= limit_.t1_length * (1 + kReached);
-  return is_short && dot(foam_.chord(film.half()), motion_.chord_rate(foam_, film)) < 0 &&
-         spares_sides(foam_, film) && unstable_to_t1(foam_, film);
+  return is_short && motion_.relative_growth(foam_, film) < 0 && spares_sides(foam_, film) &&
+         unstable_to_t1(foam_, film);
 }
 
 /// The area at which the bubble is to give way. With more than three sides it does so while there

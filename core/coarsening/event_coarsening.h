@@ -78,6 +78,7 @@ private:
   void slide_two_sided_bubbles(const AbortCheck& aborted);
   bool film_is_due(Film film) const;
   double time_to_close(Film film) const;
+  double length_growth(Film film) const;
   double collapse_area(Bubble bubble) const;
 
   void relax_around(std::span<const Bubble> bubbles, const AbortCheck& aborted);

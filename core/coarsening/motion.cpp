@@ -100,8 +100,11 @@ void Motion::hold_wall(const Foam& foam, Bubble bubble) {
   for_each_half(foam, bubble, [&](Half h) {
     if (foam.wall(h)) {
       angles_.take_patch(h.film(), 0);
-      junctions_.take_patch(foam.start(h), {});
-      junctions_.take_patch(foam.end(h), {});
+      for (const Junction end : {foam.start(h), foam.end(h)}) {
+        if (!foam.freedom(end).any()) {
+          junctions_.take_patch(end, {});
+        }
+      }
     }
   });
 }
@@ -111,14 +114,14 @@ void Motion::bring(Foam& foam, std::span<const Bubble> bubbles, double now) {
     bring_bubble(foam, b, now);
     for_each_half(foam, b, [&](Half h) {
       angles_.bring(foam.film_angle, h.film(), now);
-      junctions_.bring(foam.position, foam.start(h), now);
+      bring_junction(foam, foam.start(h), now);
     });
   }
 }
 
 void Motion::bring_all(Foam& foam, double now) {
   for (const Junction j : foam.junction_slots()) {
-    junctions_.bring(foam.position, j, now);
+    bring_junction(foam, j, now);
   }
   for (const Film f : foam.film_slots()) {
     angles_.bring(foam.film_angle, f, now);
@@ -133,7 +136,7 @@ void Motion::finish(Foam& foam, double now) {
   bring_all(foam, now);
   const double half = 0.5 * (now - begin_);
   for (const Junction j : foam.junction_slots()) {
-    foam.position[j] += half * junctions_.bend[j];
+    foam.displace(j, foam.position[j], half * junctions_.bend[j]);
   }
   for (const Film f : foam.film_slots()) {
     foam.film_angle[f] += half * angles_.bend[f];
@@ -147,8 +150,19 @@ Rates Motion::expected() {
   return {junctions_.expected(), angles_.expected(), pressures_.expected()};
 }
 
+double Motion::relative_growth(const Foam& foam, Film film) const {
+  const Half h = film.half();
+  return foam.relative_growth(h, junctions_.rate[foam.start(h)], junctions_.rate[foam.end(h)]);
+}
+
 Vec2 Motion::chord_rate(const Foam& foam, Film film) const {
   return junctions_.rate[foam.end(film.half())] - junctions_.rate[foam.start(film.half())];
+}
+
+void Motion::bring_junction(Foam& foam, Junction junction, double now) {
+  const double time = now - junctions_.time[junction];
+  foam.displace(junction, foam.position[junction], time * junctions_.rate[junction]);
+  junctions_.time[junction] = now;
 }
 
 void Motion::bring_bubble(Foam& foam, Bubble bubble, double now) {

@@ -53,6 +53,8 @@ public:
   double area_bend(Bubble bubble) const { return area_bends_[bubble]; }
   double angle_rate(Film film) const { return angles_.rate[film]; }
   Vec2 chord_rate(const Foam& foam, Film film) const;
+  /// Of a film's chord, or of a stretch of a wall, in units of what it has, 1/s.
+  double relative_growth(const Foam& foam, Film film) const;
 
 private:
   template <class Element, class Value> struct Trajectory {
@@ -69,6 +71,7 @@ private:
     void bring(Field<Element, Value>& values, Element e, double now);
     std::span<const Value> expected();
   };
+  void bring_junction(Foam& foam, Junction junction, double now);
   void bring_bubble(Foam& foam, Bubble bubble, double now);
 
   Trajectory<Junction, Vec2> junctions_; ///< cm

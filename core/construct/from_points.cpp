@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "construct/default_torus.h"
 #include "construct/dual_mesh.h"
+#include "construct/fill_container.h"
 #include "construct/triangulation.h"
 #include "geometry/bounds.h"
 #include "mesh/filling.h"
@@ -49,9 +50,10 @@ void check_options(const BuildOptions& options, std::size_t points) {
   }
 }
 
-void check_points(std::span<const Vec2> points) {
-  if (points.size() < 3) {
-    throw FoamError("a foam takes at least 3 points, but there are " + to_string(points.size()));
+void check_points(std::span<const Vec2> points, std::size_t least) {
+  if (points.size() < least) {
+    throw FoamError("a foam takes at least " + to_string(least) + " points, but there are " +
+                    to_string(points.size()));
   }
   // Two half-films to each of three films to a bubble.
   constexpr auto kMostPoints = static_cast<std::size_t>(std::numeric_limits<Index>::max() / 6);
@@ -205,8 +207,11 @@ Foam build_on_plane(std::span<const Vec2> points, Boundary boundary, double fin_
     faces.push_back({a.point.is_outside() ? fin_tip(q, r, fin) : points[a.point.place()], q, r});
   }
   Foam foam = dual_mesh(triangles, points.size());
-  foam.surround({boundary, {}});
+  foam.surround({});
   place_junctions(foam, faces);
+  if (boundary == Boundary::Fixed) {
+    foam.seal_outline();
+  }
   return foam;
 }
 
@@ -233,14 +238,28 @@ void take_target_areas(Foam& foam, const BuildOptions& options) {
   }
 }
 
+Foam build_in_container(std::span<const Vec2> points, const Container& container) {
+  check_distinct(points, points);
+  return fill_container(points, container);
+}
+
+Foam build(std::span<const Vec2> points, const BuildOptions& options) {
+  switch (options.boundary) {
+  case Boundary::Periodic:
+    return build_on_torus(points, options);
+  case Boundary::Container:
+    return build_in_container(points, options.container);
+  default:
+    return build_on_plane(points, options.boundary, options.fin_size);
+  }
+}
+
 } // namespace
 
 Foam build_from_points(std::span<const Vec2> points, const BuildOptions& options) {
-  check_points(points);
+  check_points(points, options.boundary == Boundary::Container ? 2 : 3);
   check_options(options, points.size());
-  Foam foam = options.boundary == Boundary::Periodic
-                  ? build_on_torus(points, options)
-                  : build_on_plane(points, options.boundary, options.fin_size);
+  Foam foam = build(points, options);
   foam.surface_tension = options.surface_tension;
   take_target_areas(foam, options);
   return foam;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "construct/containers.h"
 #include "mesh/foam.h"
 
 namespace foam {
@@ -20,6 +21,7 @@ struct BuildOptions {
   Boundary boundary = Boundary::Free;
   std::optional<Lattice> torus; ///< cm; without one default_torus()
   bool fold = false;            ///< whether points may extend over more than the torus
+  Container container;          ///< that is filled
   TargetAreas target_areas = TargetAreas::Initial;
   /// cm², one per point, > 0; on a torus and in a container they must add up to its area, to 1 %.
   std::vector<double> target_area_array;

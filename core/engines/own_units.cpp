@@ -51,6 +51,12 @@ void change_units(SampledFoam& foam, const UnitChange& change) {
   for (Exterior& exterior : foam.exteriors) {
     exterior = in_units(exterior, change);
   }
+  for (WallForce& force : foam.wall_forces) {
+    force = {change.tension * force.network, change.tension * force.pressure};
+  }
+  for (WallPiece& piece : foam.wall_pieces) {
+    piece = in_units(piece, change);
+  }
   foam.energy *= change.energy();
   move(foam.films.points, change);
   multiply(foam.films.curvature, 1 / change.length);

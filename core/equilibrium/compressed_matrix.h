@@ -49,7 +49,7 @@ private:
     y.add(own + 1, diagonal);
     if (mesh.moves(junction)) {
       for (const Half h : mesh.junction_half[junction]) {
-        const auto film = matrix.film[h.film()].matrix();
+        const auto film = matrix.film_matrix(h.film());
         const std::size_t first = h.reversed() ? 2 : 0;
         add(x, h.film(), film[first]);
         add(y, h.film(), film[first + 1]);
@@ -65,7 +65,7 @@ private:
     row.add(row.row, mesh.has_bubble(bubble) ? -kRegularisation : 1);
     if (mesh.has_bubble(bubble)) {
       for_each_half(mesh, bubble, [&](Half h) {
-        add(row, h.film(), matrix.film[h.film()].matrix()[h.reversed() ? 5 : 4]);
+        add(row, h.film(), matrix.film_matrix(h.film())[h.reversed() ? 5 : 4]);
       });
     }
     rows.finish(row);

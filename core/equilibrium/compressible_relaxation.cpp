@@ -105,7 +105,7 @@ private:
     return bulk_modulus(b) / foam_.target_area[b] * (x < 1 ? (1 - filled) / (filled * (1 - x)) : 1);
   }
 
-  /// A junction and what surrounds it.
+  /// A junction and what surrounds it. What lies along a wall sweeps no area.
   struct Corner {
     std::array<Half, 3> halves{};
     std::array<Vec2, 3> chord{};
@@ -124,9 +124,11 @@ private:
   Corner corner(Junction junction) const {
     Corner c{.halves = foam_.junction_half[junction]};
     for (std::size_t k = 0; k < 3; ++k) {
-      c.chord[k] = foam_.chord(c.halves[k]);
-      c.bulge[k] = arc_shape(foam_.half_angle(c.halves[k])).g;
       c.bubble[k] = foam_.left(c.halves[k]);
+      if (!foam_.wall(c.halves[k])) {
+        c.chord[k] = foam_.chord(c.halves[k]);
+        c.bulge[k] = arc_shape(foam_.half_angle(c.halves[k])).g;
+      }
     }
     return c;
   }
@@ -153,7 +155,9 @@ private:
   void add_pull(const Corner& c, Film except, Pull& pull) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const Film film = c.halves[k].film();
-      if (film != except) {
+      if (foam_.wall(c.halves[k])) {
+        pull.shortest = std::min(pull.shortest, foam_.length(c.halves[k]));
+      } else if (film != except) {
         const double d = norm(c.chord[k]);
         const double pull_over_d = foam_.tension(film) * arc_shape(foam_.film_angle[film]).f / d;
         pull.force += pull_over_d * c.chord[k];
@@ -169,7 +173,7 @@ private:
   struct Step {
     Vec2 step, force;
   };
-  Step newton_step(const Pull& pull) const {
+  Step newton_step(const Pull& pull, const Freedom& freedom = Freedom::free()) const {
     Vec2 force = pull.force;
     std::array<double, 3> matrix{pull.stretch, 0, pull.stretch}; // xx, xy, yy
     for (std::size_t i = 0; i < pull.bubbles; ++i) {
@@ -179,6 +183,15 @@ private:
       matrix[0] += hardness * slope.x * slope.x;
       matrix[1] += hardness * slope.x * slope.y;
       matrix[2] += hardness * slope.y * slope.y;
+    }
+    if (!freedom.any()) {
+      return {};
+    }
+    if (freedom.is_along()) {
+      const auto [x, y] = freedom.tangent();
+      const double stiffness = matrix[0] * x * x + 2 * matrix[1] * x * y + matrix[2] * y * y;
+      const Vec2 along = freedom.of(force);
+      return {(1 / stiffness) * along, along};
     }
     const double determinant = matrix[0] * matrix[2] - matrix[1] * matrix[1];
     return {{(matrix[2] * force.x - matrix[1] * force.y) / determinant,
@@ -191,7 +204,7 @@ private:
     const Corner c = corner(junction);
     Pull pull;
     add_pull(c, kNone, pull);
-    const auto [step, force] = newton_step(pull);
+    const auto [step, force] = newton_step(pull, foam_.freedom(junction));
     displace(junction, c, limited(step, pull.shortest));
     return norm(force) / tension_;
   }
@@ -208,7 +221,7 @@ private:
       return foam_.tension(next.film()) * foam_.tangent(next) +
              foam_.tension(last.film()) * foam_.tangent(last);
     };
-    const bool turns = foam_.moves(start) && foam_.moves(end);
+    const bool turns = !foam_.on_wall(start) && !foam_.on_wall(end);
     const Vec2 along = turns ? pull(h.twin()) - pull(h) : chord;
     const double length = std::max(norm(chord), kSmallestLength * short_length(film));
     const double strength = norm(along);
@@ -228,7 +241,7 @@ private:
   void move_together(Film film) {
     const Junction start = foam_.start(film.half());
     const Junction end = foam_.end(film.half());
-    if (!foam_.moves(start) || !foam_.moves(end)) {
+    if (foam_.on_wall(start) || foam_.on_wall(end)) {
       return;
     }
     Pull pull;
@@ -245,7 +258,15 @@ private:
   }
 
   void displace(Junction junction, const Corner& c, Vec2 step) {
-    foam_.position[junction] += step;
+    foam_.displace(junction, foam_.position[junction], step);
+    if (foam_.on_wall(junction)) {
+      for (const Bubble b : c.bubble) {
+        if (!b.is_outside()) {
+          area_[b] = foam_.area(b);
+        }
+      }
+      return;
+    }
     std::array<double, 3> bulge_change{}; // of the segments' areas
     for (std::size_t k = 0; k < 3; ++k) {
       bulge_change[k] = c.bulge[k] * dot(step, step - 2 * c.chord[k]);
@@ -294,7 +315,7 @@ private:
 /// at an energy of T·l − ½·|f₁ + f₂ − f₃ − f₄|·l. This is unstable_to_t1() for a point that is
 /// not balanced.
 bool opens_across(const Foam& foam, Film film) {
-  if (!foam.moves(foam.start(film.half())) || !foam.moves(foam.end(film.half()))) {
+  if (foam.on_wall(foam.start(film.half())) || foam.on_wall(foam.end(film.half()))) {
     return unstable_to_t1(foam, film);
   }
   const auto force = [&](Half h) { return foam.tension(h.film()) * foam.tangent(h); };

@@ -40,7 +40,7 @@ Region patch(const Foam& foam, std::span<const Bubble> bubbles, int rings) {
   for (const Bubble b : inside) {
     for_each_half(foam, b, [&](Half h) {
       const Junction j = foam.start(h);
-      if (foam.freedom(j).any()) {
+      if (foam.moves(j)) {
         region.junctions.push_back(j);
       }
     });

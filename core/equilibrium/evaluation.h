@@ -71,6 +71,13 @@ FOAM_HOST_DEVICE inline Vec2 junction_force(const ConstFoamView& mesh,
   if (!mesh.moves(junction)) {
     return {};
   }
+  const auto force = [&](Half h) {
+    const std::array<double, 4>& ends = films[h.film()].forces.ends;
+    return h.reversed() ? Vec2{ends[2], ends[3]} : Vec2{ends[0], ends[1]};
+  };
+  if (mesh.on_wall(junction)) {
+    return mesh.freedom(junction).of(force(mesh.off_wall(junction)));
+  }
   std::array<Half, 3> halves = mesh.junction_half[junction];
   const auto order = [&](std::size_t a, std::size_t b) {
     if (halves[b] < halves[a]) {
@@ -84,16 +91,16 @@ FOAM_HOST_DEVICE inline Vec2 junction_force(const ConstFoamView& mesh,
   order(0, 1);
   Vec2 sum;
   for (const Half h : halves) {
-    const std::array<double, 4>& ends = films[h.film()].forces.ends;
-    sum += h.reversed() ? Vec2{ends[2], ends[3]} : Vec2{ends[0], ends[1]};
+    sum += force(h);
   }
-  return mesh.freedom(junction).of(sum);
+  return sum;
 }
 
 /// Area of a bubble, cm².
 FOAM_HOST_DEVICE inline double
 area_of(const ConstFoamView& mesh, const FieldView<Film, const FilmState>& films, Bubble bubble) {
-  return mesh.area(bubble, [&](Film f) { return mesh.wall(f.half()) ? 0.0 : films[f].segment; });
+  return mesh.area(
+      bubble, [&](Film f) { return mesh.wall(f.half()) ? mesh.segment(f) : films[f].segment; });
 }
 
 /// A − A^τ as far as one step asks for it, cm².

@@ -52,7 +52,7 @@ struct Solid {
       sum += dot(across[f], own - displacement(x, mesh.end(h))) * across[f] +
              (squeeze_of(mesh.left(h)) - squeeze_of(mesh.right(h))) * matrix.film[f].start_slope(h);
     }
-    return sum;
+    return mesh.freedom(junction).of(sum);
   }
 
   FOAM_HOST_DEVICE multigrid::Symmetric2 diagonal(Junction junction) const {
@@ -71,6 +71,10 @@ struct Solid {
                            matrix.film[next.film()].start_slope(next),
                        bulk[bubble]);
       }
+    }
+    if (const Freedom freedom = mesh.freedom(junction); mesh.on_wall(junction)) {
+      const double along = dot(freedom.tangent(), sum * freedom.tangent());
+      return {along, 0, along};
     }
     return sum;
   }
@@ -197,10 +201,23 @@ public:
     cycle(executor_, solid_, fine_, from, to, [&](const double* residual) {
       junctions_.restrict_to_nodes(residual, grids_.load());
       junctions_.prolongate_to_points(grids_.solve(), to);
+      keep_to_walls(to);
     });
   }
 
   // Its parts.
+
+  void keep_to_walls(double* moved) {
+    const ConstFoamView& mesh = solid_.matrix.mesh;
+    if (mesh.surroundings.has_walls()) {
+      executor_.for_each(
+          mesh.junction_slots(), FOAM_KERNEL(Junction j) {
+            if (mesh.moves(j)) {
+              set_displacement(moved, j, mesh.freedom(j).of(displacement(moved, j)));
+            }
+          });
+    }
+  }
 
   void place_junctions(const multigrid::Grid& grid, const Units& units) {
     const ConstFoamView& mesh = solid_.matrix.mesh;

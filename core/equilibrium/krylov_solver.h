@@ -44,7 +44,9 @@ public:
     gradient_.resize(place_of(mesh.films));
     right_.resize(place_of(size_of(foam)));
     solution_.resize(place_of(size_of(foam)));
-    const WholeFoamMatrix matrix{foam, FieldView<Film, const FilmStiffness>(stiffness_.data())};
+    const WholeFoamMatrix matrix{foam, FieldView<Film, const FilmStiffness>(stiffness_.data()),
+                                 FieldView<Film, const FilmGradient>(gradient_.data()),
+                                 units.length};
     linearise(executor_, foam, units, convexification_,
               FieldView<Film, FilmStiffness>(stiffness_.data()),
               FieldView<Film, FilmGradient>(gradient_.data()));

@@ -20,8 +20,15 @@ constexpr double kEliminateTo = 0.1; // an eliminated one must not fall below th
 
 FilmLagrangian lagrangian_of(const Foam& foam, Film film) {
   const Half h = film.half();
-  return film_lagrangian(foam.chord(h), foam.half_angle(h), foam.pressure_difference(h),
-                         foam.tension(film));
+  FilmLagrangian phi = film_lagrangian(foam.chord(h), foam.half_angle(h),
+                                       foam.pressure_difference(h), foam.tension(film));
+  for (const Half end : {h, h.twin()}) {
+    if (const Junction j = foam.start(end); foam.on_wall(j) && !foam.pinned(j)) {
+      keep_to_curve(phi, end.reversed() ? 1 : 0, foam.freedom(j),
+                    foam.tension(film) / foam.length(h));
+    }
+  }
+  return phi;
 }
 
 double stiffness(const Foam& foam, Film film) {

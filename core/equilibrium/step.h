@@ -46,6 +46,11 @@ private:
   typename Executor::template Array<double> angle_, pressure_;
 };
 
+/// Moves a junction; a mesh may have gaps.
+FOAM_HOST_DEVICE inline void move(FoamView mesh, Junction junction, Vec2 from, Vec2 change) {
+  mesh.displace(junction, from, change);
+}
+
 /// The state of a domain, to step from and to return to.
 template <class Executor>
 void save(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& to) {
@@ -60,7 +65,7 @@ void save(Executor& executor, const FoamView& mesh, const Domain& domain, const 
 template <class Executor>
 void restore(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& from) {
   executor.for_each(
-      domain.junctions, FOAM_KERNEL(Junction j) { mesh.position[j] = from.junction[j]; });
+      domain.junctions, FOAM_KERNEL(Junction j) { move(mesh, j, from.junction[j], {}); });
   executor.for_each(
       domain.films, FOAM_KERNEL(Film f) { mesh.film_angle[f] = from.angle[f]; });
   executor.for_each(
@@ -72,9 +77,8 @@ template <class Executor>
 void walk(Executor& executor, const FoamView& mesh, const Domain& domain, const StepView& from,
           const StepView& step, double fraction) {
   executor.for_each(
-      domain.junctions, FOAM_KERNEL(Junction j) {
-        mesh.position[j] = from.junction[j] + fraction * step.junction[j];
-      });
+      domain.junctions,
+      FOAM_KERNEL(Junction j) { move(mesh, j, from.junction[j], fraction * step.junction[j]); });
   executor.for_each(
       domain.films,
       FOAM_KERNEL(Film f) { mesh.film_angle[f] = from.angle[f] + fraction * step.angle[f]; });
@@ -83,12 +87,36 @@ void walk(Executor& executor, const FoamView& mesh, const Domain& domain, const 
       FOAM_KERNEL(Bubble b) { mesh.pressure[b] = from.pressure[b] + fraction * step.pressure[b]; });
 }
 
+/// The largest fraction ≤ 1 of a step with which the stretches of a wall beside an end of a film
+/// shrink by no more than half of their length.
+FOAM_HOST_DEVICE inline double longest_wall_step(const ConstFoamView& mesh, const StepView& step,
+                                                 Junction junction) {
+  double fraction = 1;
+  if (mesh.moves(junction) && mesh.on_wall(junction)) {
+    for (const Half h : mesh.junction_half[junction]) {
+      if (mesh.wall(h)) {
+        const double growth =
+            mesh.relative_growth(h, step.junction[junction], step.junction[mesh.end(h)]);
+        fraction = growth < -0.5 ? std::min(fraction, -0.5 / growth) : fraction;
+      }
+    }
+  }
+  return fraction;
+}
+
 /// The largest fraction ≤ 1 of a step that every film of the domain can take.
 template <class Executor>
 double longest_step(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
                     const StepView& step) {
+  const double of_walls =
+      mesh.surroundings.has_walls()
+          ? executor.reduce(
+                domain.junctions, 1.0,
+                FOAM_KERNEL(Junction j) { return longest_wall_step(mesh, step, j); },
+                parallel::Smaller{})
+          : 1.0;
   return executor.reduce(
-      domain.films, 1.0,
+      domain.films, of_walls,
       FOAM_KERNEL(Film f) {
         return mesh.bends(f) ? longest_film_step(mesh.chord(f.half()), step.chord_change(mesh, f),
                                                  mesh.half_angle(f.half()), step.angle[f])
@@ -111,7 +139,7 @@ void limit_step(Executor& executor, const ConstFoamView& mesh, const Domain& dom
         }
         double shortest = std::numeric_limits<double>::infinity();
         for (const Half h : mesh.junction_half[j]) {
-          shortest = std::min(shortest, norm(mesh.chord(h)));
+          shortest = std::min(shortest, mesh.wall(h) ? mesh.length(h) : norm(mesh.chord(h)));
         }
         const double length = norm(step.junction[j]);
         if (length > kLargestMove * shortest) {

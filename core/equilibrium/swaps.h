@@ -28,13 +28,14 @@ inline constexpr double kShort = 0.25; // of the smaller bubble's size: longer f
 /// \param t1_length cm \param swaps how often it has been swapped
 FOAM_HOST_DEVICE inline bool closes(const ConstFoamView& mesh, Film film, const StepView& step,
                                     double t1_length, std::uint8_t swaps) {
-  if (!mesh.bends(film) || swaps >= kLargestSwapCount) {
+  if (!mesh.may_close(film) || swaps >= kLargestSwapCount) {
     return false;
   }
   const double length = mesh.length(film.half());
   return length <= t1_length * std::pow(0.25, static_cast<double>(swaps)) &&
          length <= kShort * size_beside(mesh, film) &&
-         dot(mesh.chord(film.half()), step.chord_change(mesh, film)) < 0;
+         mesh.relative_growth(film.half(), step.junction[mesh.start(film.half())],
+                              step.junction[mesh.end(film.half())]) < 0;
 }
 
 /// Whether a closing film is to be swapped. Three-sided bubbles keep their sides: they vanish by
@@ -59,10 +60,21 @@ public:
   void mark(const Foam& foam, const Domain& domain, const StepView& step, double t1_length) {
     const ConstFoamView mesh = view_of(foam);
     closing_.clear();
-    for (Index i = 0; i < domain.films.size(); ++i) {
-      const Film f = domain.films[i];
+    const auto note = [&](Film f) {
       if (closes(mesh, f, step, t1_length, count_[f])) {
         closing_.push_back({mesh.length(f.half()), f});
+      }
+    };
+    for (Index i = 0; i < domain.films.size(); ++i) {
+      note(domain.films[i]);
+    }
+    for (Index i = 0; i < domain.junctions.size(); ++i) { // the wall's stretches are not among them
+      if (const Junction j = domain.junctions[i]; mesh.on_wall(j)) {
+        for (const Half h : mesh.junction_half[j]) {
+          if (mesh.wall(h) && !h.reversed()) {
+            note(h.film());
+          }
+        }
       }
     }
     std::ranges::sort(closing_, [](const Closing& a, const Closing& b) {

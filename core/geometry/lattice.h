@@ -25,7 +25,7 @@ struct Wrap {
 /// the origin.
 struct Lattice {
   Vec2 origin;        ///< a corner of the cell, cm
-  Vec2 first, second; ///< the periods, cm, counter-clockwise
+  Vec2 first, second; ///< the periods, cm, counter-clockwise; of a channel the second is 0
 
   static FOAM_HOST_DEVICE Lattice rectangle(double xmin, double xmax, double ymin, double ymax) {
     return {{xmin, ymin}, {xmax - xmin, 0}, {0, ymax - ymin}};
@@ -42,7 +42,7 @@ struct Lattice {
   FOAM_HOST_DEVICE Vec2 coordinates(Vec2 place) const {
     const Vec2 r = place - origin;
     if (is_rectangle()) {
-      return {r.x / first.x, r.y / second.y};
+      return {r.x / first.x, second.y == 0 ? 0 : r.y / second.y};
     }
     return {cross(r, second) / area(), cross(first, r) / area()};
   }

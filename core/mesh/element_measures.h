@@ -36,8 +36,13 @@ FOAM_HOST_DEVICE inline double neumann_angle(double first, double second, double
   return std::acos(std::clamp(cosine, -1.0, 1.0));
 }
 
-/// What a junction's films pull with in all, Σ T·t, N/cm: zero in equilibrium.
+/// What a junction's films pull with in all, Σ T·t, as far as it may move, N/cm: zero in
+/// equilibrium.
 template <class Mesh> FOAM_HOST_DEVICE Vec2 force_imbalance(const Mesh& mesh, Junction junction) {
+  if (mesh.on_wall(junction)) {
+    const Half h = mesh.off_wall(junction);
+    return mesh.freedom(junction).of(mesh.tension(h.film()) * mesh.tangent(h));
+  }
   Vec2 sum;
   for (const Half h : mesh.junction_half[junction]) {
     sum += mesh.tension(h.film()) * mesh.tangent(h);
@@ -45,9 +50,19 @@ template <class Mesh> FOAM_HOST_DEVICE Vec2 force_imbalance(const Mesh& mesh, Ju
   return sum;
 }
 
+/// The angle between a wall and the film that ends there, rad: 90° in equilibrium where it slips.
+template <class Mesh> FOAM_HOST_DEVICE double contact_angle(const Mesh& mesh, Junction junction) {
+  return angle_from_to(tangent_of(mesh, mesh.place_on_wall(junction)),
+                       mesh.tangent(mesh.off_wall(junction)));
+}
+
 /// The largest deviation between the films of a junction from the angles that their tensions ask
 /// for (rad).
 template <class Mesh> FOAM_HOST_DEVICE double angle_error(const Mesh& mesh, Junction junction) {
+  if (mesh.on_wall(junction)) { // along which it pulls with its cosine
+    const Vec2 pull = mesh.freedom(junction).of(mesh.tangent(mesh.off_wall(junction)));
+    return std::asin(std::min(norm(pull), 1.0));
+  }
   const std::array<Half, 3>& halves = mesh.junction_half[junction];
   const std::array<Vec2, 3> tangents{mesh.tangent(halves[0]), mesh.tangent(halves[1]),
                                      mesh.tangent(halves[2])};
@@ -82,8 +97,12 @@ template <class Mesh> FOAM_HOST_DEVICE double curvature_error(const Mesh& mesh, 
   return std::abs(2 * std::sin(mesh.half_angle(h)) - std::clamp(asked, -2.0, 2.0));
 }
 
-/// Whether the films leave a junction in counter-clockwise order.
+/// Whether the films leave a junction in counter-clockwise order; on a wall, whether one leaves to
+/// the foam's side.
 template <class Mesh> FOAM_HOST_DEVICE bool counter_clockwise(const Mesh& mesh, Junction junction) {
+  if (mesh.on_wall(junction)) {
+    return contact_angle(mesh, junction) > 0;
+  }
   const std::array<Half, 3>& halves = mesh.junction_half[junction];
   const Vec2 first = mesh.tangent(halves[0]);
   const double second = angle_from_to(first, mesh.tangent(halves[1]));

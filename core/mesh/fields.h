@@ -10,6 +10,7 @@
 
 #include "geometry/lattice.h"
 #include "geometry/vec2.h"
+#include "geometry/wall_piece.h"
 #include "mesh/ids.h"
 #include "mesh/surroundings.h"
 
@@ -72,9 +73,12 @@ template <template <class, class> class Array> struct FoamArrays {
   // Junctions.
   Array<Junction, Vec2> position;                     ///< cm
   Array<Junction, std::array<Half, 3>> junction_half; ///< outgoing, counter-clockwise; none if gone
+  Array<Junction, Piece> junction_piece; ///< of the wall that it lies on; empty without walls
 
-  // Outsides.
+  // Outsides, and the pieces of their walls in the order of the outsides.
   Array<Outside, Exterior> exterior;
+  Array<Piece, WallPiece> wall_piece;
+  Array<Piece, Outside> piece_outside;
 };
 
 /// Calls visit(array of the first, array of the second, …) for each of the arrays.
@@ -92,7 +96,10 @@ void for_each_array(const Visit& visit, Arrays&&... arrays) {
   visit(arrays.film_tension...);
   visit(arrays.position...);
   visit(arrays.junction_half...);
+  visit(arrays.junction_piece...);
   visit(arrays.exterior...);
+  visit(arrays.wall_piece...);
+  visit(arrays.piece_outside...);
 }
 
 } // namespace foam

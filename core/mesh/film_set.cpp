@@ -80,12 +80,43 @@ void check_tensions(const Foam& foam) {
   }
   for (const Junction j : foam.junction_slots()) {
     const std::array<double, 3> tension = tensions_at(foam, j);
-    if (foam.freedom(j).any() && !can_balance(tension)) {
+    if (!foam.on_wall(j) && !can_balance(tension)) {
       throw FoamError("junction " + to_string(j.index()) + " cannot hold films of tensions " +
                       number(tension[0]) + ", " + number(tension[1]) + " and " +
                       number(tension[2]) + " N/cm: one pulls harder than the other two together");
     }
   }
+}
+
+void take_pressures(Foam& foam, const std::vector<Exterior>& of) {
+  for (std::size_t i = 0; i < std::min(of.size(), foam.exterior.size()); ++i) {
+    foam.exterior[Outside(static_cast<Index>(i))].pressure = of[i].pressure;
+  }
+}
+
+/// \pre films and junctions are there
+void set_walls(Foam& foam, const FilmSet& set) {
+  if (set.wall_pieces.empty() || set.exteriors.empty()) {
+    if (set.surroundings.boundary != Boundary::Fixed) {
+      throw FoamError("Boundary is 3, that of a container, but no walls are listed");
+    }
+    const std::vector<Exterior> listed = foam.exterior;
+    foam.seal_outline();
+    take_pressures(foam, listed);
+    return;
+  }
+  std::vector<Wall> walls;
+  std::size_t piece = 0;
+  for (const Exterior& exterior : set.exteriors) {
+    Wall& wall = walls.emplace_back();
+    wall.contact = exterior.contact;
+    for (Index i = 0; i < exterior.pieces && piece < set.wall_pieces.size(); ++i) {
+      wall.pieces.push_back(set.wall_pieces[piece++]);
+    }
+  }
+  foam.surroundings = set.surroundings;
+  foam.set_walls(walls);
+  take_pressures(foam, set.exteriors);
 }
 
 } // namespace
@@ -94,6 +125,7 @@ FilmSet film_set(const Foam& foam) {
   FilmSet set;
   static_cast<FoamRecord&>(set) = static_cast<const FoamRecord&>(foam);
   set.exteriors = foam.exterior;
+  set.wall_pieces = foam.wall_piece;
 
   Field<Junction, Index> junction_number(foam.position.size(), kNone);
   for (const Junction j : foam.junction_slots()) {
@@ -130,7 +162,7 @@ Foam foam_of(const FilmSet& set) {
   foam.clear(static_cast<Index>(set.bubbles.size()), static_cast<Index>(set.films.size()),
              static_cast<Index>(set.junctions.size()));
   static_cast<FoamRecord&>(foam) = static_cast<const FoamRecord&>(set);
-  foam.surround(set.surroundings);
+  foam.surround(set.surroundings.has_walls() ? Surroundings{} : set.surroundings);
   if (!set.exteriors.empty()) {
     foam.exterior.assign(set.exteriors.begin(), set.exteriors.end());
   }
@@ -220,6 +252,9 @@ Foam foam_of(const FilmSet& set) {
     if (!foam.has_bubble(b)) {
       throw FoamError("bubble " + to_string(foam.bubble_id[b]) + " has no films");
     }
+  }
+  if (set.surroundings.has_walls()) {
+    set_walls(foam, set);
   }
   const auto problems = validate(foam);
   if (!problems.empty()) {

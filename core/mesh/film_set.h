@@ -34,6 +34,8 @@ struct FilmSet : FoamRecord {
   std::vector<double> tensions;    ///< of the films, N/cm; empty where all have 2γ
   std::vector<Bubble> bubbles;     ///< in ascending order of id
   std::vector<Exterior> exteriors; ///< the outsides; empty stands for what goes with the boundary
+  std::vector<WallPiece> wall_pieces; ///< of the outsides in turn; without them the films beside
+                                      ///< the outside of a Fixed foam are its wall
 
   friend bool operator==(const FilmSet&, const FilmSet&) = default;
 };

@@ -61,14 +61,58 @@ void Foam::clear(Index bubbles, Index films, Index junctions) {
       },
       *this);
   film_tension.clear();
+  junction_piece.clear();
 }
 
 void Foam::surround(const Surroundings& with) {
   surroundings = with;
   exterior.assign(with.periodic() ? 0 : 1, Exterior{});
-  if (with.has_walls()) {
-    exterior[kWorld.outside()].kind = Exterior::Kind::Solid;
+  wall_piece.clear();
+  piece_outside.clear();
+  junction_piece.clear();
+}
+
+void Foam::set_walls(const std::vector<Wall>& walls) {
+  exterior.clear();
+  wall_piece.clear();
+  piece_outside.clear();
+  for (const Wall& wall : walls) {
+    Exterior solid;
+    solid.kind = Exterior::Kind::Solid;
+    solid.contact = wall.contact;
+    solid.first_piece = count(wall_piece);
+    solid.pieces = static_cast<Index>(wall.pieces.size());
+    wall_piece.insert(wall_piece.end(), wall.pieces.begin(), wall.pieces.end());
+    piece_outside.resize(wall_piece.size(), Outside(count(exterior)));
+    exterior.push_back(solid);
   }
+  find_pieces();
+}
+
+void Foam::find_pieces() {
+  junction_piece.assign(position.size(), kNone);
+  for (const Half h : half_slots()) {
+    if (start(h) != kNone && left(h).is_outside() && solid(left(h))) {
+      junction_piece[start(h)] = nearest_piece(*this, left(h).outside(), position[start(h)]);
+    }
+  }
+}
+
+void Foam::seal_outline() {
+  Half first = kNone;
+  for (const Half h : half_slots()) {
+    if (first == kNone && start(h) != kNone && right(h) == kWorld) {
+      first = h;
+    }
+  }
+  Wall outline{{}, WallContact::Pinned};
+  Half h = first;
+  do {
+    outline.pieces.push_back({position[start(h)], chord(h), 0});
+    h = previous_in_bubble(h.twin()).twin();
+  } while (h != first);
+  surroundings.boundary = Boundary::Fixed;
+  set_walls({outline});
 }
 
 } // namespace foam

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "mesh/fields.h"
 #include "mesh/mesh_access.h"
@@ -76,6 +77,12 @@ struct FoamRecord {
   friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };
 
+/// A wall, as it is built from.
+struct Wall {
+  std::vector<WallPiece> pieces; ///< that follow each other; see Exterior
+  WallContact contact = WallContact::Slip;
+};
+
 /// A two-dimensional dry foam: the dual mesh of the thesis (3.2, 4.5.2), as a structure of arrays
 /// that is allocated once; vanished elements are masked.
 ///
@@ -91,6 +98,8 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
   Slots<Film> film_slots() const { return Slots<Film>(count(film_angle)); }
   Slots<Half> half_slots() const { return Slots<Half>(count(half_junction)); }
   Slots<Junction> junction_slots() const { return Slots<Junction>(count(position)); }
+  Slots<Outside> outside_slots() const { return Slots<Outside>(count(exterior)); }
+  Slots<Piece> piece_slots() const { return Slots<Piece>(count(wall_piece)); }
 
   Index bubble_count() const;
   Index film_count() const;
@@ -105,10 +114,17 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
 
   /// So many elements of each kind, all of them gone. Outsides stay.
   void clear(Index bubbles, Index films, Index junctions);
-  /// Takes surroundings, with outsides of their kind and of pressure 0.
+  /// Takes surroundings without walls, with outsides of pressure 0.
   void surround(const Surroundings& with);
+  /// Takes walls, each closed and with the foam on its left, as solid outsides.
+  void set_walls(const std::vector<Wall>& walls);
+  /// Makes the first outside a container of the shape that the films beside it have, on which films
+  /// are pinned. \pre these are straight
+  void seal_outline();
 
 private:
+  void find_pieces();
+
   template <class Array> static Index count(const Array& array) {
     return static_cast<Index>(array.size());
   }

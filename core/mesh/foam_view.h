@@ -17,10 +17,12 @@ struct BasicFoamView : FoamArrays<Array>, MeshAccess<BasicFoamView<Array>> {
   Index bubbles = 0;   ///< length of the bubbles' arrays
   Index films = 0;     ///< of the films'; twice that of the half-films'
   Index junctions = 0; ///< of the junctions'
+  Index outsides = 0;  ///< of the outsides'
 
   FOAM_HOST_DEVICE Slots<Bubble> bubble_slots() const { return Slots<Bubble>(bubbles); }
   FOAM_HOST_DEVICE Slots<Film> film_slots() const { return Slots<Film>(films); }
   FOAM_HOST_DEVICE Slots<Junction> junction_slots() const { return Slots<Junction>(junctions); }
+  FOAM_HOST_DEVICE Slots<Outside> outside_slots() const { return Slots<Outside>(outsides); }
 };
 
 /// To be changed.
@@ -43,6 +45,7 @@ View view_of_arrays(Arrays& arrays, const Surroundings& surroundings, double sur
   view.bubbles = static_cast<Index>(arrays.bubble_half.size());
   view.films = static_cast<Index>(arrays.film_angle.size());
   view.junctions = static_cast<Index>(arrays.position.size());
+  view.outsides = static_cast<Index>(arrays.exterior.size());
   return view;
 }
 
@@ -69,6 +72,7 @@ inline ConstFoamView const_view(const FoamView& mesh) {
   view.bubbles = mesh.bubbles;
   view.films = mesh.films;
   view.junctions = mesh.junctions;
+  view.outsides = mesh.outsides;
   return view;
 }
 

@@ -78,6 +78,11 @@ struct Outside : Id<Outside> {
   using Id::Id;
 };
 
+/// A piece of an outside's wall.
+struct Piece : Id<Piece> {
+  using Id::Id;
+};
+
 /// A bubble, or in its place an outside.
 struct Bubble : Id<Bubble> {
   using Id::Id;

@@ -54,7 +54,13 @@ UnitChange own_units(const Foam& foam, UnitSteps steps) {
 }
 
 Exterior in_units(const Exterior& exterior, const UnitChange& change) {
-  return {exterior.kind, change.pressure() * exterior.pressure};
+  Exterior result = exterior;
+  result.pressure *= change.pressure();
+  return result;
+}
+
+WallPiece in_units(const WallPiece& piece, const UnitChange& change) {
+  return {change.place(piece.start), change.length * piece.chord, piece.half_angle};
 }
 
 Lattice in_units(const Lattice& lattice, const UnitChange& change) {
@@ -68,7 +74,7 @@ Thresholds in_units(const Thresholds& thresholds, const UnitChange& change) {
 
 FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
   FoamRecord result = record;
-  if (record.surroundings.periodic()) {
+  if (record.surroundings.has_images()) {
     result.surroundings.lattice = in_units(record.surroundings.lattice, change);
   }
   result.surface_tension *= change.tension;
@@ -101,6 +107,9 @@ void change_units(Foam& foam, const UnitChange& change) {
   }
   for (Exterior& exterior : foam.exterior) {
     exterior = in_units(exterior, change);
+  }
+  for (WallPiece& piece : foam.wall_piece) {
+    piece = in_units(piece, change);
   }
 }
 

@@ -37,6 +37,7 @@ enum class UnitSteps {
 UnitChange own_units(const Foam& foam, UnitSteps steps);
 
 Exterior in_units(const Exterior& exterior, const UnitChange& change);
+WallPiece in_units(const WallPiece& piece, const UnitChange& change);
 Lattice in_units(const Lattice& lattice, const UnitChange& change);
 Thresholds in_units(const Thresholds& thresholds, const UnitChange& change);
 FoamRecord in_units(const FoamRecord& record, const UnitChange& change);

@@ -2,6 +2,7 @@
 #include "mesh/validate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "mesh/element_measures.h"
@@ -44,20 +45,22 @@ private:
           if constexpr (std::is_same_v<Element, Bubble>) {
             require(field.size() == bubbles, "the bubbles' arrays differ in length");
           } else if constexpr (std::is_same_v<Element, Film>) {
-            require(field.size() == films || static_cast<const void*>(&field) == tensions(),
+            require(field.size() == films || is_absent(field, foam_.film_tension),
                     "the films' arrays differ in length");
           } else if constexpr (std::is_same_v<Element, Half>) {
             require(field.size() == 2 * films, "the films' arrays differ in length");
           } else if constexpr (std::is_same_v<Element, Junction>) {
-            require(field.size() == junctions, "the junctions' arrays differ in length");
+            require(field.size() == junctions || is_absent(field, foam_.junction_piece),
+                    "the junctions' arrays differ in length");
           }
         },
         foam_);
-    require(foam_.film_tension.empty() || foam_.film_tension.size() == films,
-            "there is not a tension for each film");
   }
 
-  const void* tensions() const { return &foam_.film_tension; }
+  /// Whether a field is one that a foam need not have, and does not.
+  static bool is_absent(const auto& field, const auto& optional) {
+    return static_cast<const void*>(&field) == &optional && optional.empty();
+  }
 
   template <class Element> static bool in(Element e, Slots<Element> slots) {
     return e.index() >= 0 && e.index() < slots.size();
@@ -142,8 +145,8 @@ private:
 
   void check_euler() {
     const bool torus = foam_.surroundings.periodic();
-    const Index characteristic =
-        foam_.junction_count() - foam_.film_count() + foam_.bubble_count() + (torus ? 0 : 1);
+    const Index faces = foam_.bubble_count() + foam_.outside_slots().size();
+    const Index characteristic = foam_.junction_count() - foam_.film_count() + faces;
     require(
         characteristic == (torus ? 0 : 2),
         "Euler's V - E + F is " + to_string(characteristic) + ", not " +
@@ -160,6 +163,34 @@ private:
   std::vector<std::string> problems_;
 };
 
+/// The stretches of a wall follow each other once round it, unless two films that end there have
+/// passed each other.
+void check_order(const Foam& foam, Outside wall, std::vector<std::string>& problems) {
+  const Exterior& exterior = foam.exterior[wall];
+  if (exterior.kind != Exterior::Kind::Solid) {
+    return;
+  }
+  double round = 0;
+  for (Index i = 0; i < exterior.pieces; ++i) {
+    round += foam.wall_piece[Piece(exterior.first_piece + i)].length();
+  }
+  double sum = 0;
+  for (const Half h : foam.half_slots()) {
+    if (foam.start(h) != kNone && foam.right(h) == Bubble(wall)) {
+      const double length = foam.length(h);
+      sum += length;
+      if (!(length >= 0)) {
+        problems.push_back("a stretch of wall " + name(wall) + " is " + to_string(length) +
+                           " long");
+      }
+    }
+  }
+  if (!(std::abs(sum - round) < 1e-6 * round)) {
+    problems.push_back("the stretches of wall " + name(wall) + " are " + to_string(sum) +
+                       " long in all, and the wall is " + to_string(round));
+  }
+}
+
 } // namespace
 
 std::vector<std::string> validate(const Foam& foam) {
@@ -172,6 +203,9 @@ std::vector<std::string> validate_geometry(const Foam& foam) {
     if (foam.moves(j) && !counter_clockwise(foam, j)) {
       problems.push_back("the films of junction " + name(j) + " are not counter-clockwise");
     }
+  }
+  for (const Outside wall : foam.outside_slots()) {
+    check_order(foam, wall, problems);
   }
   for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b) && !(foam.area(b) > 0)) {

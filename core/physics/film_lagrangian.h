@@ -16,6 +16,7 @@
 
 #include "geometry/arc.h"
 #include "mesh/ids.h"
+#include "mesh/surroundings.h"
 
 namespace foam {
 
@@ -113,6 +114,38 @@ FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha,
     r.hessian[5][i] = r.hessian[i][5] = area[i];
   }
   return r;
+}
+
+/// Keeps an end of a film to a curve, or where it is: of its derivatives those along the curve
+/// remain. With X(s) on a curve of tangent t, normal n and curvature k, ∂φ/∂s is t·∂φ/∂x and
+/// ∂²φ/∂s² is t·∂²φ/∂x²·t + k·n·∂φ/∂x. The position across, which does not change, has an equation
+/// of its own. \param end 0 the start, 1 the end; \param stiffness of that equation, N/cm²
+FOAM_HOST_DEVICE inline void keep_to_curve(FilmLagrangian& film, std::size_t end,
+                                           const Freedom& curve, double stiffness) {
+  const std::size_t x = 2 * end;
+  const std::size_t y = x + 1;
+  const Vec2 tangent = curve.tangent();
+  const Vec2 normal = left_normal(tangent);
+  const Vec2 force{film.gradient[x], film.gradient[y]};
+  const double bend = curve.curvature() * dot(normal, force);
+  film.gradient[x] = curve.of(force).x;
+  film.gradient[y] = curve.of(force).y;
+  for (std::size_t i = 0; i < FilmLagrangian::kVariables; ++i) {
+    const Vec2 kept = curve.of({film.hessian[i][x], film.hessian[i][y]});
+    film.hessian[i][x] = kept.x;
+    film.hessian[i][y] = kept.y;
+  }
+  for (std::size_t i = 0; i < FilmLagrangian::kVariables; ++i) {
+    const Vec2 kept = curve.of({film.hessian[x][i], film.hessian[y][i]});
+    film.hessian[x][i] = kept.x;
+    film.hessian[y][i] = kept.y;
+  }
+  const Vec2 rest_x = Vec2{1, 0} - curve.of({1, 0}); // what is not along the curve
+  const Vec2 rest_y = Vec2{0, 1} - curve.of({0, 1});
+  film.hessian[x][x] += bend * tangent.x * tangent.x + stiffness * rest_x.x;
+  film.hessian[x][y] += bend * tangent.x * tangent.y + stiffness * rest_y.x;
+  film.hessian[y][x] += bend * tangent.x * tangent.y + stiffness * rest_x.y;
+  film.hessian[y][y] += bend * tangent.y * tangent.y + stiffness * rest_y.y;
 }
 
 /// Takes α out of the derivatives: α follows the other unknowns so that ∂φ/∂α stays what Newton's

@@ -56,7 +56,13 @@ Field<Bubble, double> area_rates(const Foam& foam, double kappa) {
 }
 
 bool area_rates_change(const Foam& foam) {
-  bool change = foam.surroundings.has_walls();
+  bool change = false;
+  if (foam.surroundings.has_walls()) {
+    for (const Piece piece : foam.piece_slots()) {
+      change = change || foam.wall_piece[piece].half_angle != 0 || starts_at_edge(foam, piece) ||
+               foam.exterior[foam.piece_outside[piece]].contact == WallContact::Pinned;
+    }
+  }
   for (const Film f : foam.film_slots()) {
     change = change || (foam.has_film(f) && foam.tension(f) != foam.reference_tension());
   }

@@ -53,21 +53,39 @@ FOAM_HOST_DEVICE double balanced_gas_transfer(const Mesh& mesh, Bubble bubble, d
   return -kappa * (mean * turn + rest);
 }
 
+/// Von Neumann's law for a bubble on walls on which films slip, in units of K: with k films, and m
+/// stretches of walls that turn to the left by φ in all as they are walked with the bubble on the
+/// left, corners included, k + 2m − 6 + (3/π)φ. For of the full turn of 2π its corners take π/2 at
+/// either end of a stretch and π/3 at each of the other k − m, and films let through κT for each
+/// radian by which they turn.
+template <class Mesh> FOAM_HOST_DEVICE double growth_on_walls(const Mesh& mesh, Bubble bubble) {
+  double growth = -6;
+  for_each_half(mesh, bubble, [&](Half h) {
+    growth += mesh.wall(h) ? 2 + 3 / std::numbers::pi * mesh.stretch(h).turn : 1;
+  });
+  return growth;
+}
+
 /// The rate at which a bubble's target area changes, cm²/s. Where all films have one tension it is
-/// von Neumann's K(n − 6) (thesis 2.4.5), also on the free boundary, where n counts the outer film.
-/// Where films do not meet at 120° all around the bubble, at a wall or with tensions of their own,
-/// it is the gas transfer itself, measured as far as it has to be.
+/// von Neumann's K(n − 6) (thesis 2.4.5), also on the free boundary, where n counts the outer film,
+/// and on walls on which films slip. Where films do not meet at such angles all around the bubble,
+/// where they are pinned or with tensions of their own, it is the gas transfer itself, measured as
+/// far as it has to be.
 struct AreaRate {
   ConstFoamView mesh;
   double constant = 0; ///< K, cm²/s
   double kappa = 0;
 
   FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
-    if (at_wall(bubble)) {
+    const Beside beside = what_is_beside(bubble);
+    if (beside.pinned) {
       return gas_transfer(mesh, bubble, kappa);
     }
-    return mesh.has_uniform_tension() ? constant * (mesh.sides[bubble] - 6)
-                                      : balanced_gas_transfer(mesh, bubble, kappa);
+    if (!mesh.has_uniform_tension()) {
+      return beside.wall ? gas_transfer(mesh, bubble, kappa)
+                         : balanced_gas_transfer(mesh, bubble, kappa);
+    }
+    return constant * (beside.wall ? growth_on_walls(mesh, bubble) : mesh.sides[bubble] - 6);
   }
 
   /// Whether the bubble takes a share of what the total is off, in a closed foam, where no gas is
@@ -76,14 +94,35 @@ struct AreaRate {
     return mesh.surroundings.closed() && measured(bubble);
   }
 
-  /// Whether the rate changes as the bubble does; von Neumann's stays while topology does.
+  /// Whether the rate changes as the bubble does; von Neumann's stays while topology does, but for
+  /// bubbles that come to cover more or less of a curved wall.
   FOAM_HOST_DEVICE bool measured(Bubble bubble) const {
-    return !mesh.has_uniform_tension() || at_wall(bubble);
+    const Beside beside = what_is_beside(bubble);
+    return !mesh.has_uniform_tension() || beside.pinned || beside.curved;
   }
 
 private:
-  FOAM_HOST_DEVICE bool at_wall(Bubble bubble) const {
-    return mesh.surroundings.has_walls() && mesh.bubble_on_outside(bubble);
+  /// Of walls beside a bubble.
+  struct Beside {
+    bool wall = false;
+    bool pinned = false; ///< films end there that do not slip
+    bool curved = false; ///< where a film ends
+  };
+
+  FOAM_HOST_DEVICE Beside what_is_beside(Bubble bubble) const {
+    Beside beside;
+    if (mesh.surroundings.has_walls()) {
+      for_each_half(mesh, bubble, [&](Half h) {
+        const Junction j = mesh.start(h);
+        if (mesh.on_wall(j)) {
+          const Freedom freedom = mesh.freedom(j);
+          beside.wall = true;
+          beside.pinned = beside.pinned || !freedom.any();
+          beside.curved = beside.curved || freedom.curvature() != 0;
+        }
+      });
+    }
+    return beside;
   }
 };
 

@@ -11,7 +11,7 @@ namespace foam {
 namespace detail {
 
 template <class Mesh> FOAM_HOST_DEVICE bool ends_on_wall(const Mesh& mesh, Film film) {
-  return !mesh.freedom(mesh.start(film.half())).any() || !mesh.freedom(mesh.end(film.half())).any();
+  return mesh.on_wall(mesh.start(film.half())) || mesh.on_wall(mesh.end(film.half()));
 }
 
 } // namespace detail
@@ -26,12 +26,13 @@ template <class Mesh> FOAM_HOST_DEVICE double size_beside(const Mesh& mesh, Film
 }
 
 /// Whether the bubbles along a film have more than three sides, so that a swap leaves each three or
-/// more: three-sided bubbles vanish by T2. Beside a container's wall two are enough, the wall and a
-/// film. On a torus a bubble may lie on both sides, and loses two.
+/// more: three-sided bubbles vanish by T2. Where a film ends on a wall two are enough, the wall and
+/// a film. On a torus a bubble may lie on both sides, and loses two.
 template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Film film) {
   const Bubble left = mesh.left(film.half());
   const Bubble right = mesh.right(film.half());
-  const Index needed = (detail::ends_on_wall(mesh, film) ? 3 : 4) + (left == right ? 1 : 0);
+  const bool reaches_wall = detail::ends_on_wall(mesh, film) && !mesh.wall(film.half());
+  const Index needed = (reaches_wall ? 3 : 4) + (left == right ? 1 : 0);
   const auto spares = [&](Bubble b) { return b.is_outside() || mesh.sides[b] >= needed; };
   return spares(left) && spares(right);
 }
@@ -42,8 +43,8 @@ template <class Mesh> FOAM_HOST_DEVICE bool spares_sides(const Mesh& mesh, Film 
 /// With forces f₁, f₂ of the other films at one end (tension times unit tangent) and f₃, f₄ at the
 /// other, f₁ and f₄ on the same side, the film's own tension T is overcome by the pairs across it
 /// if |f₁ + f₄| > T, and they pull harder than those along it if |f₁ + f₄| > |f₁ + f₂|. The same
-/// must hold on the other side and at the other end. A film that ends on the wall of a container is
-/// pulled shut by whatever shortens it.
+/// must hold on the other side and at the other end. A film that ends on a wall is pulled shut by
+/// whatever shortens it, and so is a stretch of the wall between two films: one takes their place.
 ///
 /// One that pulls more than √2 times as hard as the other four can shrink to nothing without being
 /// pulled shut: the four hold each other in a point, which is no mesh of threes.

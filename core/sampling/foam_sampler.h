@@ -99,19 +99,23 @@ struct PlaceFilm {
   FilmPlaces place;
   PlacePoint put;
   std::int64_t* connectivity = nullptr;
+  double chord_error = 0; ///< cm
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     const Film film = place.films[i];
     const Half half = film.half();
     const Junction start = mesh.start(half);
     const Index end = place.junction_number[mesh.end(half)];
-    std::int64_t point = place.junction_count + place.own_points[i];
+    const Index segments = place.segments[film];
+    const std::int64_t first = place.junction_count + place.own_points[i];
     std::int64_t* entry = connectivity + place.offsets[i];
     *entry++ = place.junction_number[start];
-    for_each_inner_point(mesh, half, mesh.position[start], place.segments[film], [&](Vec2 p) {
-      put(point, p, kNone);
-      *entry++ = point++;
-    });
+    for_each_inner_point(mesh, film, mesh.position[start], segments, chord_error,
+                         [&](Index k, Vec2 p) { put(first + k - 1, p, kNone); });
+    for (Index k = 1; k < segments; ++k) {
+      *entry++ = first + k - 1;
+    }
+    const std::int64_t point = first + segments - 1;
     if (const Wrap wrap = mesh.film_wrap[film]; wrap != Wrap{}) {
       put(point, mesh.position[mesh.end(half)] + mesh.surroundings.lattice.period(wrap), end);
       *entry = point;
@@ -135,20 +139,53 @@ struct MeasureFilm {
   double* half_angle = nullptr;
   double* tension = nullptr; ///< null where all films have 2γ
   int* on_boundary = nullptr;
+  int* kind = nullptr; ///< null without walls
 
   FOAM_HOST_DEVICE void operator()(Index i) const {
     const Film film = films[i];
     const Half half = film.half();
     left[i] = name(mesh.left(half));
     right[i] = name(mesh.right(half));
-    curvature[i] = arc_curvature(norm(mesh.chord(half)), mesh.half_angle(half));
+    curvature[i] = curvature_of(half);
     pressure_difference[i] = mesh.pressure_difference(half);
     length[i] = arcs[film].length;
-    half_angle[i] = mesh.half_angle(half);
+    half_angle[i] = half_angle_of(half);
     if (tension) {
       tension[i] = mesh.tension(film);
     }
     on_boundary[i] = mesh.on_outside(half) ? 1 : 0;
+    if (kind) {
+      kind[i] = mesh.wall(half) ? 1 : 0;
+    }
+  }
+
+  /// Of a stretch of a wall the mean.
+  FOAM_HOST_DEVICE double curvature_of(Half half) const {
+    if (!mesh.wall(half)) {
+      return arc_curvature(norm(mesh.chord(half)), mesh.half_angle(half));
+    }
+    const WallStretch stretch = mesh.stretch(half);
+    return stretch.length > 0 ? stretch.turn / stretch.length : 0;
+  }
+
+  /// Of a stretch of a wall if that is one arc, or else 0.
+  FOAM_HOST_DEVICE double half_angle_of(Half half) const {
+    if (!mesh.wall(half)) {
+      return mesh.half_angle(half);
+    }
+    constexpr double kSame = 1e-9;
+    double before = 0;
+    bool first = true;
+    bool one_arc = true;
+    mesh.for_each_wall_part(half, [&](const WallPiece& part, double corner) {
+      const double d = norm(part.chord);
+      const double own = d > 0 ? arc_curvature(d, part.half_angle) : before;
+      one_arc = one_arc && (first || (std::abs(corner) < kSame &&
+                                      std::abs(own - before) <= kSame * std::abs(before)));
+      before = own;
+      first = false;
+    });
+    return one_arc ? 0.5 * mesh.stretch(half).turn : 0;
   }
 
   FOAM_HOST_DEVICE std::int64_t name(Bubble bubble) const {
@@ -217,7 +254,7 @@ private:
 
   /// The translation by whole periods that brings a point into the cell.
   FOAM_HOST_DEVICE Vec2 into_cell(Vec2 p) const {
-    if (!mesh.surroundings.periodic()) {
+    if (!mesh.surroundings.has_images()) {
       return {};
     }
     const Lattice& lattice = mesh.surroundings.lattice;
@@ -285,7 +322,8 @@ private:
     connectivity_.resize(static_cast<std::size_t>(entries));
     const sampling_detail::PlacePoint put{film_points_.data(), junction_id_.data()};
     executor_.for_each(junctions_.count(), sampling_detail::PlaceJunction{mesh, place, put});
-    executor_.for_each(films, sampling_detail::PlaceFilm{mesh, place, put, connectivity_.data()});
+    executor_.for_each(
+        films, sampling_detail::PlaceFilm{mesh, place, put, connectivity_.data(), chord_error});
     return place;
   }
 
@@ -299,12 +337,14 @@ private:
     half_angle_.resize(length);
     tension_.resize(mesh.has_uniform_tension() ? 0 : length);
     on_boundary_.resize(length);
+    kind_.resize(mesh.surroundings.has_walls() ? length : 0);
     executor_.for_each(
         films_.count(),
         sampling_detail::MeasureFilm{
             mesh, records_.arcs(), films_.list(), left_.data(), right_.data(), curvature_.data(),
             pressure_difference_.data(), length_.data(), half_angle_.data(),
-            mesh.has_uniform_tension() ? nullptr : tension_.data(), on_boundary_.data()});
+            mesh.has_uniform_tension() ? nullptr : tension_.data(), on_boundary_.data(),
+            mesh.surroundings.has_walls() ? kind_.data() : nullptr});
   }
 
   FilmPolylines fetch_films() {
@@ -313,7 +353,8 @@ private:
             fetch(std::move(left_)),         fetch(std::move(right_)),
             fetch(std::move(curvature_)),    fetch(std::move(pressure_difference_)),
             fetch(std::move(length_)),       fetch(std::move(half_angle_)),
-            fetch(std::move(tension_)),      fetch(std::move(on_boundary_))};
+            fetch(std::move(tension_)),      fetch(std::move(on_boundary_)),
+            fetch(std::move(kind_))};
   }
 
   void place_bubbles(const ConstFoamView& mesh, const sampling_detail::FilmPlaces& place) {
@@ -343,7 +384,7 @@ private:
   Array<Vec2> outline_;
   Array<std::int64_t> junction_id_, connectivity_, left_, right_;
   Array<double> curvature_, pressure_difference_, length_, half_angle_, tension_;
-  Array<int> on_boundary_;
+  Array<int> on_boundary_, kind_;
 };
 
 } // namespace foam

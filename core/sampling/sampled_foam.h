@@ -7,6 +7,7 @@
 
 #include "mesh/foam.h"
 #include "statistics/statistics.h"
+#include "statistics/wall_forces.h"
 
 namespace foam {
 
@@ -30,6 +31,7 @@ struct FilmPolylines {
   std::vector<double> half_angle;          ///< rad
   std::vector<double> tension;             ///< N/cm; empty where all have 2γ
   std::vector<int> on_boundary;            ///< 1 where a side is an outside
+  std::vector<int> kind;                   ///< 1 of a stretch of a wall; empty without walls
 };
 
 /// A foam's bubbles, a polygon for each in ascending order of id, counter-clockwise, in one piece
@@ -44,11 +46,16 @@ struct BubblePolygons {
 /// A foam as it is shown: all that VTK's arrays hold of it.
 struct SampledFoam {
   FoamRecord record;
-  std::vector<Exterior> exteriors; ///< the outsides
-  double energy = 0;               ///< N
+  std::vector<Exterior> exteriors;    ///< the outsides
+  std::vector<WallPiece> wall_pieces; ///< of the outsides in turn
+  std::vector<WallForce> wall_forces; ///< on the outsides' walls
+  double energy = 0;                  ///< N
   FilmPolylines films;
   BubblePolygons bubbles;
 };
+
+/// Of a foam that is sampled elsewhere.
+void take_outsides(const Foam& foam, SampledFoam& sampled);
 
 /// \param chord_error largest distance between an arc and its polyline, cm; 0 stands for 1/200 of
 /// the mean spacing.

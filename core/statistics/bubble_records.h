@@ -65,6 +65,10 @@ struct MeasureArc {
 
   FOAM_HOST_DEVICE void operator()(Film film) const {
     if (mesh.has_film(film)) {
+      if (mesh.wall(film.half())) {
+        arcs[film] = {mesh.length(film.half()), mesh.segment(film)};
+        return;
+      }
       const double chord = norm(mesh.chord(film.half()));
       const double alpha = mesh.half_angle(film.half());
       arcs[film] = {arc_length(chord, alpha), segment_area(chord, alpha)};

@@ -47,6 +47,7 @@ template <class Mesh> FOAM_HOST_DEVICE void remove_film(Mesh& mesh, Film film) {
 
 template <class Mesh> FOAM_HOST_DEVICE void remove_junction(Mesh& mesh, Junction j) {
   mesh.junction_half[j] = {kNone, kNone, kNone};
+  mesh.put_off_wall(j, mesh.position[j]);
 }
 
 template <class Mesh> FOAM_HOST_DEVICE void remove_bubble(Mesh& mesh, Bubble b) {
@@ -70,7 +71,7 @@ template <class Mesh> FOAM_HOST_DEVICE bool encloses_between_ends(const Mesh& me
   if (mesh.left(from) != mesh.left(to)) {
     return false;
   }
-  if (!mesh.surroundings.periodic()) {
+  if (!mesh.surroundings.has_images()) {
     return true;
   }
   Wrap along_bubble;
@@ -80,43 +81,87 @@ template <class Mesh> FOAM_HOST_DEVICE bool encloses_between_ends(const Mesh& me
   return along_bubble == mesh.wrap(h);
 }
 
-/// Whether a junction between these bubbles would lie on a container's wall, which holds it.
+/// Whether a junction between these bubbles would lie on a wall, where one film ends.
 template <class Mesh, std::size_t N>
-FOAM_HOST_DEVICE bool pinned_beside(const Mesh& mesh, const std::array<Bubble, N>& bubbles) {
-  bool outside = false;
+FOAM_HOST_DEVICE bool beside_wall(const Mesh& mesh, const std::array<Bubble, N>& bubbles) {
+  bool found = false;
   for (const Bubble b : bubbles) {
-    outside = outside || b.is_outside();
+    found = found || mesh.solid(b);
   }
-  return outside && mesh.surroundings.has_walls();
+  return found;
+}
+
+/// Where an end of a swapped film comes to lie.
+struct SwappedEnd {
+  WallPlace place; ///< if it is on a wall
+  Vec2 position;   ///< cm
+  bool on_wall = false;
+};
+
+/// Of the end of h after it is swapped with what lies between two films that end on a wall, if h is
+/// the stretch between them: one comes to lie in its middle, the other as far from the wall as it
+/// was long.
+template <class Mesh>
+FOAM_HOST_DEVICE std::array<SwappedEnd, 2> ends_off_wall(const Mesh& mesh, Half h) {
+  const double length = mesh.length(h);
+  const WallPlace middle = mesh.place_on_stretch(h, 0.5 * length);
+  const Vec2 foot = point_of(mesh, middle);
+  const SwappedEnd on{middle, foot, true};
+  const SwappedEnd off{{}, foot + length * left_normal(tangent_of(mesh, middle)), false};
+  return mesh.solid(mesh.right(h)) ? std::array{off, on} : std::array{on, off};
+}
+
+template <class Mesh>
+FOAM_HOST_DEVICE void put_end(Mesh& mesh, Junction junction, const SwappedEnd& end) {
+  if (end.on_wall) {
+    mesh.put_on_wall(junction, end.place);
+    mesh.position[junction] = end.position;
+  } else {
+    mesh.put_off_wall(junction, end.position);
+  }
+}
+
+/// Of a film that becomes a stretch of a wall, which its start is on: a half of its length away
+/// from there. \param way a stretch from there
+template <class Mesh>
+FOAM_HOST_DEVICE SwappedEnd end_along_wall(const Mesh& mesh, Half film, Half way) {
+  const double distance = 0.5 * std::min(mesh.length(film), mesh.length(way));
+  const WallPlace place = mesh.place_on_stretch(way, distance);
+  return {place, point_of(mesh, place), true};
 }
 
 } // namespace detail
 
 /// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
-/// one differ, or are two images of one, the film is no piece of a container's wall, and the new
-/// junctions can hold the tensions of their films.
+/// one differ, or are two images of one, its ends may come together, and the new junctions can hold
+/// the tensions of their films.
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Film film) {
-  if (!mesh.bends(film)) {
+  if (!mesh.may_close(film)) {
     return false;
   }
   const Half h = film.half();
   const Half t = h.twin();
   const Half h1 = mesh.next_around_junction(h);
   const Half t1 = mesh.next_around_junction(t);
+  const Half h2 = mesh.previous_around_junction(h);
+  const Half t2 = mesh.previous_around_junction(t);
   const Bubble at_start = mesh.left(h1);
   const Bubble at_end = mesh.left(t1);
   const int needed = mesh.left(h) == mesh.right(h) ? 4 : 3;
+  const auto holds = [&](Bubble beside, const std::array<Half, 3>& halves) {
+    return detail::beside_wall(mesh, std::array{at_start, at_end, beside}) ||
+           detail::can_meet(mesh, halves);
+  };
   return !detail::encloses_between_ends(mesh, h) && detail::has_sides(mesh, h, needed) &&
-         detail::has_sides(mesh, t, needed) &&
-         (detail::pinned_beside(mesh, std::array{at_start, at_end}) ||
-          (detail::can_meet(mesh, {h, mesh.previous_around_junction(t), h1}) &&
-           detail::can_meet(mesh, {t, mesh.previous_around_junction(h), t1})));
+         detail::has_sides(mesh, t, needed) && holds(mesh.left(h), {h, t2, h1}) &&
+         holds(mesh.right(h), {t, h2, t1});
 }
 
 /// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along
 /// it part. The new film lies across the old one, has its chord's length and its tension, and takes
-/// the curvature of its bubbles' pressures; beside a container's wall it becomes a piece of the
-/// wall. \returns the two bubbles that lost a side, one of which may be an outside.
+/// the curvature of its bubbles' pressures. A film that ends on a wall becomes a stretch of the
+/// wall, and a stretch of a wall a film that ends there. \returns the two bubbles that lost a side,
+/// one of which may be an outside.
 template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mesh, Film film) {
   const Half h = film.half();
   const Half t = h.twin();
@@ -132,18 +177,19 @@ template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mes
   const Vec2 chord = mesh.chord(h);
   const Vec2 at_a = mesh.position[a];
   const Vec2 to_b = mesh.position[b] - (at_a + chord); // a period, on a torus
-  Vec2 new_a = at_a + 0.5 * chord + 0.5 * left_normal(chord);
-  Vec2 new_b = new_a - left_normal(chord);
-  const auto along_wall = [&](Half wall) {
-    const Vec2 way = mesh.chord(wall);
-    return std::min(norm(chord) / norm(way), 0.5) * way;
-  };
-  if (mesh.surroundings.has_walls() && at_start.is_outside()) {
-    new_a = at_a;
-    new_b = at_a + along_wall(h2);
-  } else if (mesh.surroundings.has_walls() && at_end.is_outside()) {
-    new_b = at_a + chord;
-    new_a = new_b + along_wall(t2);
+  std::array<detail::SwappedEnd, 2> ends{};            // of h, in the frame of its start
+  if (mesh.wall(h)) {
+    ends = detail::ends_off_wall(mesh, h);
+  } else if (mesh.solid(at_start)) {
+    ends = {detail::end_along_wall(mesh, h, h1), detail::end_along_wall(mesh, h, h2)};
+  } else if (mesh.solid(at_end)) {
+    ends = {detail::end_along_wall(mesh, h, t2), detail::end_along_wall(mesh, h, t1)};
+    ends[0].position -= to_b;
+    ends[1].position -= to_b;
+  } else {
+    const Vec2 middle = at_a + 0.5 * chord;
+    ends[0].position = middle + 0.5 * left_normal(chord);
+    ends[1].position = ends[0].position - left_normal(chord);
   }
 
   const Wrap along = mesh.wrap(h);
@@ -162,9 +208,10 @@ template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mes
   detail::add_sides(mesh, at_start, 1);
   detail::add_sides(mesh, at_end, 1);
 
-  mesh.position[a] = new_a;
-  mesh.position[b] = new_b + to_b;
-  const double sine = mesh.pressure_difference(h) * norm(chord) / (2 * mesh.tension(film));
+  detail::put_end(mesh, a, ends[0]);
+  ends[1].position += to_b;
+  detail::put_end(mesh, b, ends[1]);
+  const double sine = mesh.pressure_difference(h) * norm(mesh.chord(h)) / (2 * mesh.tension(film));
   mesh.set_half_angle(h, mesh.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
   return parted;
 }
@@ -195,7 +242,7 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bub
                detail::has_sides(mesh, h.twin(), 2 + lost);
     ++k;
   });
-  return possible && (detail::pinned_beside(mesh, neighbours) || detail::can_meet(mesh, outer));
+  return possible && (detail::beside_wall(mesh, neighbours) || detail::can_meet(mesh, outer));
 }
 
 /// What is new after a T2: the three films that were prolonged and the bubbles between them.
@@ -209,7 +256,9 @@ struct T2Result {
 /// and at 120° (decoration theorem: D. Weaire, Phil. Mag. Lett. 79 (1999) 491); the rest of the
 /// foam stays in equilibrium when the neighbours' target areas grow by what they gain, and so they
 /// do here: no gas is lost but to an outside. Where the arcs do not meet, as with other tensions,
-/// the new junction is the point nearest to all three, or else the mean of the bubble's corners.
+/// the new junction is the point nearest to all three, or else the mean of the bubble's corners. Of
+/// a bubble on a wall the one film that leaves it is prolonged until it meets the wall: by mirror
+/// symmetry that is a two-sided bubble that vanishes.
 template <class Mesh>
 FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Bubble bubble) {
   std::array<Half, 3> inner{};      // the bubble's half-films
@@ -241,13 +290,16 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Bubble bubble) {
   }
   const double size = norm(offset[1]) + norm(offset[2]) + norm(offset[2] - offset[1]);
 
-  Vec2 meeting = detail::common_point(circles, mean, size);
+  detail::SwappedEnd meeting;
+  meeting.position = detail::common_point(circles, mean, size);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (mesh.surroundings.has_walls() && result.bubbles[k].is_outside()) {
-      const std::size_t next = (k + 1) % 3;
-      const Vec2 begin = origin + offset[k];
-      const Vec2 end = origin + offset[next];
-      meeting = detail::merged_contact({begin + chord[k], begin, end, end + chord[next]});
+    if (mesh.solid(result.bubbles[k])) {
+      detail::Circle circle = circles[(k + 2) % 3];
+      circle.point += mesh.position[corner[k]] - (origin + offset[k]); // a period, in a channel
+      meeting.place = detail::cut_of_wall(mesh, circle, inner[k]);
+      meeting.position =
+          point_of(mesh, meeting.place) - mesh.position[corner[k]] + origin + offset[k];
+      meeting.on_wall = true;
     }
   }
 
@@ -258,12 +310,12 @@ FOAM_HOST_DEVICE T2Result remove_three_sided_bubble(Mesh& mesh, Bubble bubble) {
     detail::remove_junction(mesh, corner[k]);
   }
   mesh.junction_half[corner[0]] = outer;
-  mesh.position[corner[0]] = meeting;
+  detail::put_end(mesh, corner[0], meeting);
   for (std::size_t k = 0; k < 3; ++k) {
     detail::remove_film(mesh, inner[k].film());
     detail::represent(mesh, outer[k]);
     detail::add_sides(mesh, result.bubbles[k], -1);
-    const Vec2 new_chord = origin + offset[k] + chord[k] - meeting;
+    const Vec2 new_chord = origin + offset[k] + chord[k] - meeting.position;
     mesh.set_half_angle(outer[k], mesh.wall(outer[k])
                                       ? 0
                                       : detail::prolonged_half_angle(mesh.half_angle(outer[k]),
@@ -287,15 +339,14 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bub
   const int needed = mesh.right(e0) == mesh.right(e1) ? 6 : 4;
   return detail::has_sides(mesh, e0.twin(), needed) && detail::has_sides(mesh, e1.twin(), needed) &&
          mesh.end(remaining) != mesh.start(end) &&
-         (!mesh.freedom(mesh.start(end)).any() ||
+         (mesh.on_wall(mesh.start(end)) ||
           detail::can_meet(mesh, {remaining, mesh.next_around_junction(end),
                                   mesh.previous_around_junction(end)}));
 }
 
 /// Removes a two-sided bubble: the film that it floats on closes behind it, an arc of one circle in
 /// equilibrium. Of its two pieces the one remains that leaves the start of the bubble's half-film,
-/// with its tension. The bubble's two neighbours' target areas grow by what they gain. Beside a
-/// container's wall the wall is straightened, which may cost a sliver of the container's area.
+/// with its tension. The bubble's two neighbours' target areas grow by what they gain.
 /// \returns the two neighbours.
 template <class Mesh>
 FOAM_HOST_DEVICE std::array<Bubble, 2> remove_two_sided_bubble(Mesh& mesh, Bubble bubble) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/vec2.h"
+#include "mesh/walls.h"
 
 namespace foam::detail {
 
@@ -66,15 +67,25 @@ FOAM_HOST_DEVICE inline Vec2 common_point(const std::array<Circle, 3>& circles, 
   return x;
 }
 
-/// The one contact that replaces the middle two of four along a wall, so that the container keeps
-/// its area.
-FOAM_HOST_DEVICE inline Vec2 merged_contact(const std::array<Vec2, 4>& wall) {
-  const Vec2 base = wall[3] - wall[0];
-  const Vec2 middle = 0.5 * (wall[1] + wall[2]) - wall[0];
-  const double twice_area =
-      cross(wall[1] - wall[0], wall[2] - wall[0]) + cross(wall[2] - wall[0], base);
-  const double rise = (cross(middle, base) - twice_area) / dot(base, base);
-  return wall[0] + middle + rise * left_normal(base);
+/// Where a circle cuts a stretch of a wall, whose ends lie on either side of it; the middle of the
+/// stretch if they do not.
+template <class Mesh>
+FOAM_HOST_DEVICE WallPlace cut_of_wall(const Mesh& mesh, const Circle& circle, Half stretch) {
+  const auto value = [&](double distance) {
+    return circle.value(point_of(mesh, mesh.place_on_stretch(stretch, distance)));
+  };
+  double inside = 0;
+  double outside = mesh.length(stretch);
+  const double sign = value(inside);
+  double middle = 0.5 * outside;
+  if (sign * value(outside) < 0) {
+    constexpr int kBisections = 60; // to rounding
+    for (int i = 0; i < kBisections; ++i) {
+      (sign * value(middle) > 0 ? inside : outside) = middle;
+      middle = 0.5 * (inside + outside);
+    }
+  }
+  return mesh.place_on_stretch(stretch, middle);
 }
 
 } // namespace foam::detail

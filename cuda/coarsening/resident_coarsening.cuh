@@ -67,7 +67,7 @@ public:
   SampledFoam sample(double chord_error) override {
     SampledFoam sampled = sampler_.sample(const_view(now_.view()), names_, chord_error);
     sampled.record = foam_;
-    sampled.exteriors = foam_.exterior;
+    take_outsides(foam_.surroundings.has_walls() ? foam() : foam_, sampled);
     return sampled;
   }
 

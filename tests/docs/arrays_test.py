@@ -80,12 +80,13 @@ array.SetName("OutsidePressure")
 array.InsertNextValue(0.1)
 output.GetFieldData().AddArray(array)""")
         self.names.update(torus=torus, own=FoamCoarsen(Input=pressure, NumberOfFrames=1))
-        own, skewed = self.output("own"), self.output("torus")
+        self.names.update(walled=FoamFromPoints(Input=points, Boundary="Container"))
+        own, skewed, walled = self.output("own"), self.output("torus"), self.output("walled")
         few = FoamCoarsen(Input=FoamFromPoints(Input=FoamPoints(NumberOfPoints=4)), TimeStep=100, NumberOfFrames=1)
         few.UpdatePipeline(100)
         ended = few.GetClientSideObject().GetOutputDataObject(0)
-        for kind, found in (("cell array", set(names_of(own.GetCellData()))),
-                            ("field array", {*names_of(own.GetFieldData()), *names_of(skewed.GetFieldData()),
+        for kind, found in (("cell array", {*names_of(own.GetCellData()), *names_of(walled.GetCellData())}),
+                            ("field array", {*names_of(own.GetFieldData()), *names_of(skewed.GetFieldData()), *names_of(walled.GetFieldData()),
                                              *names_of(ended.GetFieldData())})):
             page = "FoamFromPoints", "Output 0: films", kind
             self.assertEqual(found - set(listed(*page)), set(listed(*page, sometimes=True)))

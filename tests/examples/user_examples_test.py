@@ -70,8 +70,25 @@ class Example(unittest.TestCase):
 
 class Short(unittest.TestCase):
     def test_examples_are_short_enough_to_be_read(self):
-        for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture", "ensemble"):
+        for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture", "ensemble",
+                     "foam_in_channel", "foam_in_outline"):
             self.assertLessEqual(len((EXAMPLES / f"{name}.py").read_text().splitlines()), 60, name)
+
+
+class Containers(Example):
+    def test_channel_becomes_bamboo(self):
+        words = self.run_example("foam_in_channel.py", "--bubbles", 24, "--length", 12, "--width", 0.8)
+        self.assertIn("two films and two walls", words)
+        with open(self.folder / "channel.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertLess(int(rows[0]["Bamboo"]), int(rows[0]["Bubbles"]))
+        self.assertEqual(rows[-1]["Bamboo"], rows[-1]["Bubbles"])
+        self.assertLess(float(rows[-1]["Energy"]), float(rows[0]["Energy"]))
+
+    def test_outline(self):
+        self.assertIn(" bubbles in ", self.run_example("foam_in_outline.py", "--bubbles", 120))
+        films = films_of(self.folder / "outline.vtp")
+        self.assertEqual(films.GetFieldData().GetArray("Converged").GetValue(0), 1)
 
 
 class FilmAndContinue(Example):

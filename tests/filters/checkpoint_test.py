@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The film series is a checkpoint: runs resumed in a new process go on as if not stopped."""
 
+import math
+import random
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from foam_testing import (coarsening_of, column, differences, foam_of_points, go_to, read, single, skewed_torus,
-                          times, with_tensions, write)
+from foam.vtkFoamFilters import vtkFoamFromPoints
+
+from foam_testing import (coarsening_of, column, differences, foam_of_points, go_to, outlines, points_of,
+                          read, set_properties, single, skewed_torus, times, with_tensions, write)
 
 LAST = 40
 
@@ -30,6 +34,29 @@ def resume(folder, first):
     subprocess.run([sys.executable, __file__, "resume", folder / f"films{first}.vtp", str(first),
                     resumed], check=True)
     return resumed
+
+
+def in_container(container, **properties):
+    """The foam of 120 points at random, from 2 to 6 away from the middle and 0.5 from each other."""
+    generator = random.Random(1)
+    points = []
+    while len(points) < 120:
+        point = generator.uniform(-6, 6), generator.uniform(-6, 6), 0
+        if 2 < math.hypot(*point) < 6 and all(math.dist(point, other) > 0.5 for other in points):
+            points.append(point)
+    foam = vtkFoamFromPoints()
+    foam.SetInputDataObject(points_of(points))
+    set_properties(foam, {"Boundary": foam.Container, "Container": container, **properties})
+    return foam
+
+
+def in_outline():
+    """In an octagon, with a square in it."""
+    octagon = [(7 * math.cos(k * math.pi / 4), 7 * math.sin(k * math.pi / 4)) for k in range(8)]
+    square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    foam = in_container(vtkFoamFromPoints.Outline)
+    foam.SetInputDataObject(1, outlines(octagon, square))
+    return foam
 
 
 class Checkpoint(unittest.TestCase):
@@ -68,6 +95,14 @@ class Checkpoint(unittest.TestCase):
 
     def test_skewed_torus(self):
         self.check(foam_of_points(periodic=True, PeriodVectors=skewed_torus()))
+
+    def test_containers(self):
+        for container in range(4):
+            with self.subTest(container=container):
+                self.check(in_container(container))
+
+    def test_outline(self):
+        self.check(in_outline())
 
     def test_own_tensions(self):
         foam = foam_of_points()

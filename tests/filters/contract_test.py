@@ -33,6 +33,7 @@ BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", 
             "MeanArea"]
 
 
+WALLS = ["WallPieces", "WallFrame", "WallForce", "WallContact"]
 COARSENING_FIELDS = ["TimeStep", "GrowthConstant", "T1Length", "T2Area"]
 
 
@@ -317,7 +318,7 @@ class Arrays(unittest.TestCase):
         foam = foam_of_points(30, Boundary=vtkFoamFromPoints.Fixed)
         foam.Update()
         films = foam.GetOutput(0)
-        self.check_films(films)
+        self.check_films(films, more_cells=["Kind"], more_fields=WALLS)
         self.assertEqual(single(films, "Boundary"), 2)
         wall = column(films.GetCellData(), "OnBoundary") == 1
         self.assertTrue(wall.any())

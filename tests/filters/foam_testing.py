@@ -5,7 +5,7 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
@@ -78,6 +78,23 @@ def foam_of_points(count=60, periodic=False, **properties):
         foam.SetBoundary(vtkFoamFromPoints.Periodic)
     set_properties(foam, properties)
     return foam
+
+
+def outlines(*polygons, closed=True):
+    """Polylines through the corners of polygons, and back to the first."""
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    lines = vtkCellArray()
+    for polygon in polygons:
+        first = points.GetNumberOfPoints()
+        for x, y in polygon:
+            points.InsertNextPoint(x, y, 0)
+        ids = list(range(first, points.GetNumberOfPoints())) + ([first] if closed else [])
+        lines.InsertNextCell(len(ids), ids)
+    data.SetPoints(points)
+    data.SetLines(lines)
+    return data
 
 
 def coarsening_of(source, **properties):

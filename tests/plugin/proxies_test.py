@@ -25,7 +25,8 @@ EQUILIBRATOR_CHOICES = {
 PROXIES = {
     "FoamPoints": {"NumberOfPoints", "Spacing", "Jitter", "Seed"},
     "FoamFromPoints": {"Boundary", "PeriodicBounds", "PeriodVectors", "TargetAreas", "SurfaceTension", "FinSize",
-                       "FitAreas", "FoldPoints", "Equilibrate", *EQUILIBRATOR},
+                       "FitAreas", "FoldPoints", "Equilibrate", "Container", "ContainerBounds", "InnerRadius", "WallContact",
+                       *EQUILIBRATOR},
     "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area",
                     "Thresholds", "Alpha", "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
@@ -33,13 +34,15 @@ PROXIES = {
     "FoamEnsembleStatistics": {"IncludeBoundary"},
 }
 OTHER_PROPERTIES = {
-    "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray"},
+    "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray", "Walls"},
     "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
     "FoamPoints": {},
-    "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed"],
+    "FoamFromPoints": {"Boundary": ["Free", "Periodic", "Fixed", "Container"],
+                       "Container": ["Rectangle", "Disc", "Annulus", "Channel", "Outline"],
+                       "WallContact": ["Slip", "Pinned"],
                        "TargetAreas": ["Initial", "Uniform", "Array"], **EQUILIBRATOR_CHOICES},
     "FoamCoarsen": {"StartFrom": ["First", "Last"], "TargetAreas": ["FromFilms", "Measured"],
                     "Thresholds": ["Automatic", "Absolute", "Relative"], "TwoSidedBubbles": ["Remove", "Slide"],

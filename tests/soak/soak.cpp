@@ -92,6 +92,7 @@ std::string kind_of(const Foam& foam) {
   case Boundary::Periodic:
     return "torus";
   case Boundary::Fixed:
+  case Boundary::Container:
     break;
   }
   return "container";

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Foams in containers, on whose walls films slide: against closed forms and symmetries.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "construct/containers.h"
+#include "containers.h"
+#include "engines/engines.h"
+#include "foams.h"
+#include "physics/gas.h"
+#include "reference.h"
+#include "statistics/wall_forces.h"
+
+namespace foam::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// All with the line tension 2γ = 1.
+
+TEST(Walls, BubblesInACornerAreSectors) {
+  for (const double angle : {0.25 * kPi, 0.5 * kPi, kPi / 3}) {
+    // A triangle with the corner at the origin, of which a bubble of area 0.1 cuts it off.
+    const std::vector<Vec2> corners{{0, 0}, {4, 0}, rotated({4, 0}, angle)};
+    const double area = 0.5 * 16 * std::sin(angle);
+    const Vec2 towards = rotated({1, 0}, 0.5 * angle);
+    Foam foam = filled(outline({{corners}}, WallContact::Slip), {0.2 * towards, 1.5 * towards},
+                       {0.1, area - 0.1});
+    expect_equilibrium(foam);
+    EXPECT_NEAR(foam.energy(), std::sqrt(2 * angle * 0.1), 1e-10);
+  }
+}
+
+TEST(Walls, OneFilmAcrossADisc) {
+  struct Row {
+    double fraction, length, pressure;
+  };
+  for (const auto& [fraction, length, pressure] :
+       {Row{0.1, 1.241110322779, 1.655718681022}, Row{1.0 / 3, 1.893825250731, 0.419220584497}}) {
+    Foam foam = filled(disc({-1, 1, -1, 1}, WallContact::Slip), {{-0.8, 0.1}, {0.1, 0}},
+                       {fraction * kPi, (1 - fraction) * kPi});
+    expect_equilibrium(foam);
+    EXPECT_NEAR(foam.energy(), length, 1e-10);
+    EXPECT_NEAR(foam.pressure[Bubble(0)] - foam.pressure[Bubble(1)], pressure, 1e-10);
+  }
+}
+
+/// Two bubbles side by side on the lower wall of a rectangle, and a large one around them.
+Foam two_on_a_wall(double first, double second) {
+  const Container container = rectangle({-5, 5, 0, 10}, WallContact::Slip);
+  FilmSet set;
+  set.surroundings.boundary = Boundary::Container;
+  set.surface_tension = 0.5;
+  set.junctions = {{-1.2, 0}, {0, 0}, {1.2, 0}, {0, 0.8}};
+  set.films = {{0, 3, 2, 0, -0.4, {}}, {1, 3, 0, 1, 0, {}},  {2, 3, 1, 2, 0.4, {}},
+               {0, 1, 0, -1, 0, {}},   {1, 2, 1, -1, 0, {}}, {2, 0, 2, -1, 0, {}}};
+  set.bubbles = {{0, 0, first}, {1, 0, second}, {2, 0, 100 - first - second}};
+  set.exteriors = {Exterior{
+      .kind = Exterior::Kind::Solid, .contact = WallContact::Slip, .first_piece = 0, .pieces = 4}};
+  set.wall_pieces = container.walls[0].pieces;
+  Foam foam = foam_of(set);
+  EquilibratorOptions options;
+  options.tolerance = 1e-12;
+  make_equilibrator(options)->equilibrate(foam, 0.01, {});
+  return foam;
+}
+
+TEST(Walls, TwoBubblesSideBySideAreHalfOfADoubleBubble) {
+  Foam equal = two_on_a_wall(1, 1);
+  expect_valid(equal);
+  expect_equilibrium(equal);
+  EXPECT_NEAR(equal.energy(), 6.359129253960 / std::sqrt(2), 1e-10);
+  const auto rows = read_csv("double_bubble_unequal.csv");
+  ASSERT_FALSE(rows.empty());
+  for (const auto& row : rows) {
+    const double a = number(row, "A1") / 2;
+    const double b = number(row, "A2") / 2;
+    if (std::min(a, b) > 0.05) {
+      const Foam foam = two_on_a_wall(a, b);
+      expect_equilibrium(foam);
+      EXPECT_NEAR(foam.energy(), number(row, "P_line_tension_1") / 2, 1e-10) << a << ' ' << b;
+    }
+  }
+}
+
+TEST(Walls, RadialFilmsOfAnAnnulus) {
+  std::vector<Vec2> points;
+  const int n = 7;
+  for (int k = 0; k < n; ++k) {
+    points.push_back(rotated({1.5, 0}, 2 * kPi * k / n));
+  }
+  Foam foam = filled(annulus({-2, 2, -2, 2}, 1, WallContact::Slip), points,
+                     std::vector<double>(n, 3 * kPi / n));
+  expect_equilibrium(foam);
+  EXPECT_NEAR(foam.energy(), n, 1e-10);
+  EXPECT_LT(std::ranges::max(foam.pressure) - std::ranges::min(foam.pressure), 1e-10);
+}
+
+TEST(Walls, BambooAndStaircase) {
+  // Six bubbles of unit height, straight across the channel.
+  std::vector<Vec2> row;
+  for (int k = 0; k < 6; ++k) {
+    row.push_back({k + 0.5, 0.5 + 0.01 * k});
+  }
+  Foam bamboo = filled(channel({0, 6, 0, 1}, WallContact::Slip), row, {1, 0.5, 1.5, 1.2, 0.8, 1});
+  expect_equilibrium(bamboo);
+  EXPECT_NEAR(bamboo.energy(), 6, 1e-10);
+  for (const double rate : area_rates(bamboo, 1)) {
+    EXPECT_NEAR(rate, 0, 1e-9);
+  }
+
+  std::vector<Vec2> double_row;
+  for (int k = 0; k < 6; ++k) {
+    double_row.push_back({k * 0.5 + 0.25, k % 2 == 0 ? 0.2 : 0.8});
+  }
+  Foam stairs =
+      filled(channel({0, 3, 0, 1}, WallContact::Slip), double_row, std::vector<double>(6, 0.5));
+  expect_equilibrium(stairs);
+  EXPECT_NEAR(stairs.energy(), 6 * 0.933012701892, 1e-9);
+}
+
+/// A Möbius map of the unit disc.
+std::complex<double> moebius(std::complex<double> z, std::complex<double> a) {
+  return (z + a) / (1.0 + std::conj(a) * z);
+}
+
+/// They keep circles and angles, and so take an equilibrium in a disc to another.
+TEST(Walls, MoebiusMapsOfADiscKeepEquilibria) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Foam foam = random_foam_in(disc({-1, 1, -1, 1}, WallContact::Slip), 20, seed);
+    expect_equilibrium(foam);
+    Random random(seed);
+    const std::complex<double> a =
+        std::polar(0.5 * std::sqrt(random.uniform()), 2 * kPi * random.uniform());
+    Foam mapped = foam;
+    const auto image = [&](Vec2 p) {
+      const std::complex<double> w = moebius({p.x, p.y}, a);
+      return Vec2{w.real(), w.imag()};
+    };
+    for (const Junction j : foam.junction_slots()) {
+      if (foam.on_wall(j)) {
+        mapped.put_on_wall(j, wall_place(foam, Outside(0), image(foam.position[j])));
+      } else {
+        mapped.position[j] = image(foam.position[j]);
+      }
+    }
+    for (const Film f : foam.film_slots()) {
+      if (foam.bends(f)) {
+        const Vec2 start = foam.position[foam.start(f.half())];
+        const Vec2 middle =
+            image(arc_point(start, foam.chord(f.half()), foam.half_angle(f.half()), 0.5));
+        const Vec2 from = mapped.position[foam.start(f.half())];
+        // The angle between the chords of the two halves of an arc is its half-angle.
+        mapped.film_angle[f] =
+            angle_from_to(middle - from, mapped.chord(f.half())) +
+            angle_from_to(mapped.chord(f.half()), mapped.position[foam.end(f.half())] - middle);
+      }
+    }
+    EXPECT_LT(max_angle_error(mapped), 1e-9) << seed;
+    // Pressures that explain all curvatures: walk from bubble to bubble.
+    for (const Junction j : mapped.junction_slots()) {
+      if (!mapped.on_wall(j)) {
+        double sum = 0; // of curvatures round a junction
+        for (const Half h : mapped.junction_half[j]) {
+          sum += arc_curvature(norm(mapped.chord(h)), mapped.half_angle(h));
+        }
+        EXPECT_LT(std::abs(sum), 1e-8) << seed;
+      }
+    }
+  }
+}
+
+/// A channel's foam and its image beyond the lower wall, on a torus. What lies on a wall becomes
+/// one with its image.
+Foam with_its_image(const Foam& foam, double period, double width) {
+  FilmSet set;
+  set.surroundings.boundary = Boundary::Periodic;
+  set.surroundings.lattice = Lattice::rectangle(0, period, -width, width);
+  set.surface_tension = foam.surface_tension;
+  const auto image = static_cast<Index>(foam.bubble_half.size());
+  const auto id = [&](Bubble b, bool mirrored) {
+    return std::int64_t{b.index()} + (mirrored && !foam.bubble_on_outside(b) ? image : 0);
+  };
+  for (const bool mirrored : {false, true}) {
+    for (const Bubble b : foam.bubble_slots()) {
+      const bool on_wall = foam.bubble_on_outside(b);
+      if (!mirrored || !on_wall) {
+        set.bubbles.push_back(
+            {id(b, mirrored), foam.pressure[b], foam.target_area[b] * (on_wall ? 2 : 1)});
+      }
+    }
+  }
+  std::vector<std::array<Index, 2>> number(foam.position.size());
+  for (const Junction j : foam.junction_slots()) {
+    if (foam.has_junction(j) && !foam.on_wall(j)) {
+      for (const bool mirrored : {false, true}) {
+        const Vec2 p = foam.position[j];
+        number[j.place()][mirrored] = static_cast<Index>(set.junctions.size());
+        set.junctions.push_back({p.x, mirrored ? -p.y : p.y});
+      }
+    }
+  }
+  for (const Film f : foam.film_slots()) {
+    if (!foam.has_film(f) || foam.wall(f.half())) {
+      continue;
+    }
+    const Half half = foam.on_wall(foam.start(f.half())) ? f.half().twin() : f.half();
+    const auto start = number[foam.start(half).place()];
+    const double alpha = foam.half_angle(half);
+    const Wrap wrap = foam.wrap(half);
+    if (foam.on_wall(foam.end(half))) { // from a junction through the wall to its image
+      const bool upper = foam.position[foam.end(half)].y > 0.5 * width;
+      set.films.push_back({start[0],
+                           start[1],
+                           id(foam.left(half), false),
+                           id(foam.right(half), false),
+                           2 * alpha,
+                           {0, upper ? 1 : 0}});
+      continue;
+    }
+    const auto end = number[foam.end(half).place()];
+    set.films.push_back(
+        {start[0], end[0], id(foam.left(half), false), id(foam.right(half), false), alpha, wrap});
+    set.films.push_back(
+        {start[1], end[1], id(foam.right(half), true), id(foam.left(half), true), -alpha, wrap});
+  }
+  return foam_of(set);
+}
+
+TEST(Walls, AFoamOnAStraightWallIsHalfOfItselfAndItsImage) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Foam foam = random_foam_in(channel({0, 4, 0, 4}, WallContact::Slip), 60, seed);
+    expect_equilibrium(foam);
+    const Foam whole = with_its_image(foam, 4, 4);
+    expect_valid(whole);
+    EXPECT_LT(measured_report(whole).residual, 1e-9) << seed;
+    EXPECT_NEAR(whole.energy(), 2 * foam.energy(), 1e-10);
+  }
+}
+
+TEST(Walls, ForcesOnAContainerAndItsObstaclesCancel) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const auto& [name, container] : containers()) {
+      Foam foam = random_foam_in(container, 40, seed);
+      expect_equilibrium(foam, name);
+      const std::vector<WallForce> forces = wall_forces(foam);
+      Vec2 sum;
+      for (const WallForce& force : forces) {
+        sum += force.network + force.pressure;
+      }
+      EXPECT_LT(norm(sum), 1e-8) << name << ' ' << seed;
+      for (double& pressure : foam.pressure) {
+        pressure += 7;
+      }
+      const std::vector<WallForce> shifted = wall_forces(foam);
+      for (std::size_t i = 0; i < forces.size() && container.period == 0; ++i) {
+        EXPECT_LT(norm(shifted[i].pressure - forces[i].pressure), 1e-10) << name;
+        EXPECT_EQ(shifted[i].network, forces[i].network) << name;
+      }
+    }
+  }
+}
+
+TEST(Walls, GrowthIsVonNeumannsAndSumsToZero) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (const auto& [name, container] : containers()) {
+      const Foam foam = random_foam_in(container, 30, seed);
+      expect_equilibrium(foam, name);
+      const AreaRate rate = area_rate(view_of(foam), 1);
+      double total = 0;
+      for (const Bubble b : foam.bubble_slots()) {
+        EXPECT_NEAR(rate(b), gas_transfer(foam, b, 1), 1e-8) << name << ' ' << seed;
+        total += rate(b);
+      }
+      EXPECT_NEAR(total, 0, 1e-10) << name << ' ' << seed;
+    }
+  }
+}
+
+} // namespace
+} // namespace foam::test

@@ -37,10 +37,11 @@ struct CellPiece {
   double area = 0;
 };
 
-/// The loops of films on whose left a bubble is, the largest first.
-std::vector<CellPiece> pieces_of(const Foam& foam, Bubble bubble, std::span<const Half> halves) {
+/// The loops of films on whose left a bubble is, the largest first. \param halves of them \param
+/// seen of all half-films, those in loops that have been found
+std::vector<CellPiece> pieces_of(const Foam& foam, Bubble bubble, std::span<const Half> halves,
+                                 Field<Half, char>& seen) {
   std::vector<CellPiece> pieces;
-  Field<Half, char> seen(foam.half_junction.size(), 0);
   for (const Half first : halves) {
     if (foam.start(first) == kNone || foam.left(first) != bubble || seen[first]) {
       continue;
@@ -434,8 +435,9 @@ private:
         halves[foam.left(h)].push_back(h);
       }
     }
+    Field<Half, char> seen(foam.half_junction.size(), 0);
     for (const Bubble b : foam.bubble_slots()) {
-      const std::vector<CellPiece> pieces = pieces_of(foam, b, halves[b]);
+      const std::vector<CellPiece> pieces = pieces_of(foam, b, halves[b], seen);
       for (std::size_t i = 1; i < pieces.size(); ++i) {
         Half longest = kNone;
         Half h = pieces[i].first;

@@ -12,12 +12,7 @@ def main():
     coarsen = FoamCoarsen(Input=foam, NumberOfFrames=options.frames)
     bubbles = result(coarsen, 1)
 
-    view = CreateRenderView(ViewSize=[720, 720], InteractionMode="2D", OrientationAxesVisibility=0,
-                            UseColorPaletteForBackground=0, Background=[1, 1, 1])
-    # Bubbles come in colours: blue ones shrink, red ones grow.
-    Show(OutputPort(coarsen, 1), view, Ambient=1, Diffuse=0)
-    Show(OutputPort(coarsen, 0), view, ColorArrayName=[None, ""], AmbientColor=[0.1, 0.14, 0.19], Ambient=1, Diffuse=0,
-         LineWidth=3)
+    view = view_of(coarsen, 720)
     title = PythonAnnotation(Input=OutputPort(coarsen, 1), ArrayAssociation="Cell Data",
                              Expression="'t = %.2f s,  %d bubbles' % (t_value, len(Area))")
     Show(title, view, Color=[0.1, 0.14, 0.19], FontSize=18, WindowLocation="Upper Center")

@@ -44,11 +44,7 @@ def main():
                           Container="Outline", Walls=PolyLineSource(Points=source(walls), Closed=1))
     bubbles = result(foam, 1)
 
-    view = CreateRenderView(ViewSize=[900, 900], InteractionMode="2D", OrientationAxesVisibility=0,
-                            UseColorPaletteForBackground=0, Background=[1, 1, 1])
-    Show(OutputPort(foam, 1), view, Ambient=1, Diffuse=0)
-    Show(OutputPort(foam, 0), view, ColorArrayName=[None, ""], AmbientColor=[0.1, 0.14, 0.19], Ambient=1, Diffuse=0,
-         LineWidth=3)
+    view = view_of(foam, 900)
     ResetCamera(view)
     SaveScreenshot(str(options.output / "outline.png"), view)
     SaveData(str(options.output / "outline.vtp"), proxy=OutputPort(foam, 0))

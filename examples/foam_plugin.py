@@ -113,6 +113,16 @@ def polylines(data):
     return [points[ids] for ids in np.split(vtk_to_numpy(cells.GetConnectivityArray()), ends[1:-1])]
 
 
+def view_of(foam, size):
+    """A square view of a foam, so many pixels wide: films, and bubbles of which blue ones shrink and red ones grow."""
+    view = CreateRenderView(ViewSize=[size, size], InteractionMode="2D", OrientationAxesVisibility=0,
+                            UseColorPaletteForBackground=0, Background=[1, 1, 1])
+    Show(OutputPort(foam, 1), view, Ambient=1, Diffuse=0)
+    Show(OutputPort(foam, 0), view, ColorArrayName=[None, ""], AmbientColor=[0.1, 0.14, 0.19], Ambient=1, Diffuse=0,
+         LineWidth=3)
+    return view
+
+
 def write_table(path, rows):
     """A .csv of dictionaries."""
     with open(path, "w", newline="") as file:

@@ -84,50 +84,16 @@ struct WholeFoamMatrix {
     return mesh.on_wall(junction) ? along_wall(sum, own, junction) : sum;
   }
 
-  FOAM_HOST_DEVICE Vec2 along_wall(Vec2 sum, Vec2 own, Junction junction) const {
-    const Freedom freedom = mesh.freedom(junction);
-    return freedom.of(sum) + bend(junction) * freedom.of(own);
-  }
-
   /// A film's second derivatives, in the order of FilmLagrangian, with ends kept to walls.
   FOAM_HOST_DEVICE std::array<std::array<double, 6>, 6> film_matrix(Film f) const {
     auto entries = film[f].matrix();
     for (const Half h : {f.half(), f.half().twin()}) {
       const Junction junction = mesh.start(h);
       if (mesh.on_wall(junction) && mesh.moves(junction) && mesh.bends(f)) {
-        const Freedom freedom = mesh.freedom(junction);
-        const std::size_t x = h.reversed() ? 2 : 0;
-        for (auto& row : entries) {
-          const Vec2 kept = freedom.of({row[x], row[x + 1]});
-          row[x] = kept.x;
-          row[x + 1] = kept.y;
-        }
-        for (std::size_t i = 0; i < 6; ++i) {
-          const Vec2 kept = freedom.of({entries[x][i], entries[x + 1][i]});
-          entries[x][i] = kept.x;
-          entries[x + 1][i] = kept.y;
-        }
-        // Along the wall its bend, and across an equation of its own.
-        const Vec2 t = freedom.tangent();
-        const double along = bend(junction);
-        const Vec2 rest_x = Vec2{1, 0} - freedom.of({1, 0});
-        const Vec2 rest_y = Vec2{0, 1} - freedom.of({0, 1});
-        entries[x][x] += along * t.x * t.x + rest_x.x;
-        entries[x][x + 1] += along * t.x * t.y + rest_y.x;
-        entries[x + 1][x] += along * t.x * t.y + rest_x.y;
-        entries[x + 1][x + 1] += along * t.y * t.y + rest_y.y;
+        keep_to_wall(entries, h);
       }
     }
     return entries;
-  }
-
-  /// What a curved wall adds to the stiffness along it (keep_to_curve).
-  FOAM_HOST_DEVICE double bend(Junction on_wall) const {
-    const Freedom freedom = mesh.freedom(on_wall);
-    const Half h = mesh.off_wall(on_wall);
-    const FilmGradient& g = gradient[h.film()];
-    return length * freedom.curvature() *
-           dot(left_normal(freedom.tangent()), h.reversed() ? g.end : g.start);
   }
 
   FOAM_HOST_DEVICE double bubble_row(const double* x, Bubble bubble) const {
@@ -143,6 +109,21 @@ struct WholeFoamMatrix {
                 f.compliance * (own - pressure_in(mesh, x, mesh.right(h)));
     });
     return -growth;
+  }
+
+private:
+  FOAM_APART Vec2 along_wall(Vec2 sum, Vec2 own, Junction junction) const {
+    const Freedom freedom = mesh.freedom(junction);
+    return freedom.of(sum) + bend(mesh.off_wall(junction), freedom) * freedom.of(own);
+  }
+  FOAM_APART void keep_to_wall(std::array<std::array<double, 6>, 6>& entries, Half h) const {
+    const Freedom freedom = mesh.freedom(mesh.start(h));
+    keep_to_curve(entries, h.reversed() ? 1 : 0, freedom, bend(h, freedom), 1);
+  }
+  /// What a curved wall adds to the stiffness along it. \param h the film that ends there
+  FOAM_HOST_DEVICE double bend(Half h, const Freedom& freedom) const {
+    const FilmGradient& g = gradient[h.film()];
+    return length * bend_of(freedom, h.reversed() ? g.end : g.start);
   }
 };
 

@@ -4,8 +4,11 @@
 // std::array, whose members are constexpr (nvcc --expt-relaxed-constexpr).
 //
 // A kernel that is written where it is used begins with FOAM_KERNEL, what it needs being copied
-// (nvcc
-// --extended-lambda, which wants the function around it to be no private member of a class).
+// (nvcc --extended-lambda, which wants the function around it to be no private member of a class).
+//
+// FOAM_APART marks those of these functions that are large beside a call, or that few elements
+// need, such as what films do on walls: they are compiled once and called, where a compiler for
+// GPUs would put them into every kernel, several times into those that sum.
 #pragma once
 
 #ifdef __CUDACC__
@@ -13,4 +16,5 @@
 #else
 #define FOAM_HOST_DEVICE
 #endif
+#define FOAM_APART FOAM_HOST_DEVICE __attribute__((noinline))
 #define FOAM_KERNEL [=] FOAM_HOST_DEVICE

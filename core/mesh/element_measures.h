@@ -38,7 +38,7 @@ FOAM_HOST_DEVICE inline double neumann_angle(double first, double second, double
 
 /// What a junction's films pull with in all, Σ T·t, as far as it may move, N/cm: zero in
 /// equilibrium.
-template <class Mesh> FOAM_HOST_DEVICE Vec2 force_imbalance(const Mesh& mesh, Junction junction) {
+template <class Mesh> FOAM_APART Vec2 force_imbalance(const Mesh& mesh, Junction junction) {
   if (mesh.on_wall(junction)) {
     const Half h = mesh.off_wall(junction);
     return mesh.freedom(junction).of(mesh.tension(h.film()) * mesh.tangent(h));
@@ -58,7 +58,7 @@ template <class Mesh> FOAM_HOST_DEVICE double contact_angle(const Mesh& mesh, Ju
 
 /// The largest deviation between the films of a junction from the angles that their tensions ask
 /// for (rad).
-template <class Mesh> FOAM_HOST_DEVICE double angle_error(const Mesh& mesh, Junction junction) {
+template <class Mesh> FOAM_APART double angle_error(const Mesh& mesh, Junction junction) {
   if (mesh.on_wall(junction)) { // along which it pulls with its cosine
     const Vec2 pull = mesh.freedom(junction).of(mesh.tangent(mesh.off_wall(junction)));
     return std::asin(std::min(norm(pull), 1.0));
@@ -99,7 +99,7 @@ template <class Mesh> FOAM_HOST_DEVICE double curvature_error(const Mesh& mesh, 
 
 /// Whether the films leave a junction in counter-clockwise order; on a wall, whether one leaves to
 /// the foam's side.
-template <class Mesh> FOAM_HOST_DEVICE bool counter_clockwise(const Mesh& mesh, Junction junction) {
+template <class Mesh> FOAM_APART bool counter_clockwise(const Mesh& mesh, Junction junction) {
   if (mesh.on_wall(junction)) {
     return contact_angle(mesh, junction) > 0;
   }

@@ -117,7 +117,7 @@ template <class Mesh> struct MeshAccess {
                   chord(forwards), visit);
   }
   /// The stretch of the wall that a film is, seen from h.
-  FOAM_HOST_DEVICE WallStretch stretch(Half h) const {
+  FOAM_APART WallStretch stretch(Half h) const {
     WallStretch sum;
     Vec2 at; // from the start
     double twice_polygon = 0;
@@ -144,8 +144,8 @@ template <class Mesh> struct MeshAccess {
   }
   /// The place at a distance (cm) from the start of a stretch of a wall.
   FOAM_HOST_DEVICE WallPlace place_on_stretch(Half h, double distance) const {
-    return moved_along_wall(mesh(), place_on_wall(start(h)),
-                            solid(right(h)) ? distance : -distance);
+    return moved_along_wall(mesh(), place_on_wall(start(h)), solid(right(h)) ? distance : -distance,
+                            AtEdges::Pass);
   }
   /// Puts a junction on a wall.
   FOAM_HOST_DEVICE void put_on_wall(Junction j, WallPlace at) {
@@ -161,31 +161,20 @@ template <class Mesh> struct MeshAccess {
   }
   /// Moves a junction from a place as far as it may, by a change (cm) and on a wall along it.
   FOAM_HOST_DEVICE void displace(Junction j, Vec2 from, Vec2 change) {
-    if (!on_wall(j)) {
+    if (on_wall(j)) {
+      slide(j, from, change);
+    } else {
       mesh().position[j] = from + change;
-      return;
-    }
-    if (from != mesh().position[j]) {
-      const Outside outside = mesh().piece_outside[mesh().junction_piece[j]];
-      mesh().junction_piece[j] = nearest_piece(mesh(), outside, from);
-      mesh().position[j] = from;
-    }
-    const WallPlace at = place_on_wall(j);
-    const Freedom may = freedom(j);
-    if (const double way = may.is_along() ? dot(change, may.tangent()) : 0; way != 0) {
-      put_on_wall(j, slid_along_wall(mesh(), at, way));
     }
   }
   /// The change of a film's chord, or of the length of a stretch of a wall, in units of the length
   /// that it has, when its ends move by so much.
   FOAM_HOST_DEVICE double relative_growth(Half h, Vec2 start_change, Vec2 end_change) const {
-    if (!wall(h)) {
-      const Vec2 d = chord(h);
-      return dot(d, end_change - start_change) / dot(d, d);
+    if (wall(h)) {
+      return relative_growth_of_stretch(h, start_change, end_change);
     }
-    const double forwards = dot(end_change, tangent_of(mesh(), place_on_wall(end(h)))) -
-                            dot(start_change, tangent_of(mesh(), place_on_wall(start(h))));
-    return (solid(right(h)) ? forwards : -forwards) / length(h);
+    const Vec2 d = chord(h);
+    return dot(d, end_change - start_change) / dot(d, d);
   }
   /// The one half-film that leaves a wall. \pre on_wall(j)
   FOAM_HOST_DEVICE Half off_wall(Junction j) const {
@@ -194,19 +183,7 @@ template <class Mesh> struct MeshAccess {
   }
   /// How the junction may move: one on a wall along it, if it slips.
   FOAM_HOST_DEVICE Freedom freedom(Junction j) const {
-    if (!on_wall(j)) {
-      return Freedom::free();
-    }
-    const Piece piece = mesh().junction_piece[j];
-    if (pinned(j)) {
-      return Freedom::none();
-    }
-    const WallPiece& curve = mesh().wall_piece[piece];
-    const double place = curve.place_of(mesh().position[j]);
-    if (place == 0 && starts_at_edge(mesh(), piece)) {
-      return freedom_at_edge(j, piece);
-    }
-    return Freedom::along(curve.tangent(place), curve.curvature());
+    return on_wall(j) ? freedom_on_wall(j) : Freedom::free();
   }
   /// Whether a film is pinned there to a wall.
   FOAM_HOST_DEVICE bool pinned(Junction j) const {
@@ -235,7 +212,7 @@ template <class Mesh> struct MeshAccess {
   }
 
   /// Area of a bubble: its polygon and the segments of its arcs (thesis 3.3.12), cm².
-  FOAM_HOST_DEVICE double area(Bubble b) const {
+  FOAM_APART double area(Bubble b) const {
     return area(b, [this](Film f) { return segment(f); });
   }
   /// The same. \param segment segment(f) is the area between f's half() and its chord, cm²
@@ -262,9 +239,37 @@ private:
   FOAM_HOST_DEVICE const Mesh& mesh() const { return static_cast<const Mesh&>(*this); }
   FOAM_HOST_DEVICE Mesh& mesh() { return static_cast<Mesh&>(*this); }
 
+  FOAM_APART void slide(Junction j, Vec2 from, Vec2 change) {
+    if (from != mesh().position[j]) {
+      const Outside outside = mesh().piece_outside[mesh().junction_piece[j]];
+      mesh().junction_piece[j] = nearest_piece(mesh(), outside, from);
+      mesh().position[j] = from;
+    }
+    const Freedom may = freedom(j);
+    if (const double way = may.is_along() ? dot(change, may.tangent()) : 0; way != 0) {
+      put_on_wall(j, moved_along_wall(mesh(), place_on_wall(j), way, AtEdges::Stop));
+    }
+  }
+  FOAM_APART double relative_growth_of_stretch(Half h, Vec2 start_change, Vec2 end_change) const {
+    const double forwards = dot(end_change, tangent_of(mesh(), place_on_wall(end(h)))) -
+                            dot(start_change, tangent_of(mesh(), place_on_wall(start(h))));
+    return (solid(right(h)) ? forwards : -forwards) / length(h);
+  }
+  FOAM_APART Freedom freedom_on_wall(Junction j) const {
+    if (pinned(j)) {
+      return Freedom::none();
+    }
+    const Piece piece = mesh().junction_piece[j];
+    const WallPiece& curve = mesh().wall_piece[piece];
+    const double place = curve.place_of(mesh().position[j]);
+    if (place == 0 && starts_at_edge(mesh(), piece)) {
+      return freedom_at_edge(j, piece);
+    }
+    return Freedom::along(curve.tangent(place), curve.curvature());
+  }
   /// A film on an edge is held there as long as it pulls along neither of the pieces that meet
   /// there.
-  FOAM_HOST_DEVICE Freedom freedom_at_edge(Junction j, Piece after) const {
+  FOAM_APART Freedom freedom_at_edge(Junction j, Piece after) const {
     const Vec2 pull = tangent(off_wall(j));
     const WallPiece& ahead = mesh().wall_piece[after];
     const WallPiece& behind = mesh().wall_piece[neighbour_piece(mesh(), after, -1)];

@@ -43,7 +43,7 @@ FOAM_HOST_DEVICE Piece neighbour_piece(const Mesh& mesh, Piece piece, Index step
 /// The piece of a wall that is nearest to a point; of several the one that starts there, or the
 /// first.
 template <class Mesh>
-FOAM_HOST_DEVICE Piece nearest_piece(const Mesh& mesh, Outside outside, Vec2 point) {
+FOAM_APART Piece nearest_piece(const Mesh& mesh, Outside outside, Vec2 point) {
   const Exterior& wall = mesh.exterior[outside];
   Piece nearest(wall.first_piece);
   double least = std::numeric_limits<double>::infinity();
@@ -68,25 +68,6 @@ FOAM_HOST_DEVICE WallPlace wall_place(const Mesh& mesh, Outside outside, Vec2 po
   return {piece, mesh.wall_piece[piece].place_of(point)};
 }
 
-/// The place at a distance (cm) along the wall; backwards if that is negative.
-template <class Mesh>
-FOAM_HOST_DEVICE WallPlace moved_along_wall(const Mesh& mesh, WallPlace from, double distance) {
-  double place = from.place + distance;
-  Piece piece = from.piece;
-  if (is_line(mesh.exterior[mesh.piece_outside[piece]])) {
-    return {piece, place};
-  }
-  while (place < 0) {
-    piece = neighbour_piece(mesh, piece, -1);
-    place += mesh.wall_piece[piece].length();
-  }
-  while (place > mesh.wall_piece[piece].length()) {
-    place -= mesh.wall_piece[piece].length();
-    piece = neighbour_piece(mesh, piece, 1);
-  }
-  return {piece, place};
-}
-
 /// The angle by which the tangent turns to the left where a piece ends.
 template <class Mesh> FOAM_HOST_DEVICE double corner_turn(const Mesh& mesh, Piece piece) {
   if (is_line(mesh.exterior[mesh.piece_outside[piece]])) {
@@ -105,28 +86,32 @@ template <class Mesh> FOAM_HOST_DEVICE bool starts_at_edge(const Mesh& mesh, Pie
          corner_turn(mesh, neighbour_piece(mesh, piece, -1)) < -kSmooth;
 }
 
-/// Where a film comes to when it slides by a distance (cm) along the wall, backwards if that is
-/// negative: no further than to the next edge.
+/// Whether what moves along a wall stops at edges, corners that stand out into the foam.
+enum class AtEdges { Pass, Stop };
+
+/// The place at a distance (cm) along the wall, backwards if that is negative.
 template <class Mesh>
-FOAM_HOST_DEVICE WallPlace slid_along_wall(const Mesh& mesh, WallPlace from, double distance) {
-  if (is_line(mesh.exterior[mesh.piece_outside[from.piece]])) {
-    return {from.piece, from.place + distance};
-  }
+FOAM_APART WallPlace moved_along_wall(const Mesh& mesh, WallPlace from, double distance,
+                                      AtEdges at_edges) {
   double place = from.place + distance;
   Piece piece = from.piece;
-  bool at_edge = from.place == 0; // and leaves it
+  if (is_line(mesh.exterior[mesh.piece_outside[piece]])) {
+    return {piece, place};
+  }
+  const auto stops = [&] { return at_edges == AtEdges::Stop && starts_at_edge(mesh, piece); };
+  bool leaves_edge = from.place == 0;
   while (place < 0) {
-    if (!at_edge && starts_at_edge(mesh, piece)) {
+    if (!leaves_edge && stops()) {
       return {piece, 0};
     }
-    at_edge = false;
+    leaves_edge = false;
     piece = neighbour_piece(mesh, piece, -1);
     place += mesh.wall_piece[piece].length();
   }
   while (place > mesh.wall_piece[piece].length()) {
     place -= mesh.wall_piece[piece].length();
     piece = neighbour_piece(mesh, piece, 1);
-    if (starts_at_edge(mesh, piece)) {
+    if (stops()) {
       return {piece, 0};
     }
   }

@@ -116,36 +116,49 @@ FOAM_HOST_DEVICE inline FilmLagrangian film_lagrangian(Vec2 chord, double alpha,
   return r;
 }
 
-/// Keeps an end of a film to a curve, or where it is: of its derivatives those along the curve
-/// remain. With X(s) on a curve of tangent t, normal n and curvature k, ∂φ/∂s is t·∂φ/∂x and
-/// ∂²φ/∂s² is t·∂²φ/∂x²·t + k·n·∂φ/∂x. The position across, which does not change, has an equation
-/// of its own. \param end 0 the start, 1 the end; \param stiffness of that equation, N/cm²
+/// Keeps an end of a film to a curve, or where it is: of its second derivatives those along the
+/// curve remain. With X(s) on a curve of tangent t, normal n and curvature k, ∂²φ/∂s² is
+/// t·∂²φ/∂x²·t + k·n·∂φ/∂x. The position across, which does not change, has an equation of its own.
+/// \param end 0 the start, 1 the end; \param bend k·n·∂φ/∂x; \param stiffness of that equation,
+/// both N/cm²
+template <std::size_t Size>
+FOAM_HOST_DEVICE void keep_to_curve(std::array<std::array<double, Size>, Size>& hessian,
+                                    std::size_t end, const Freedom& curve, double bend,
+                                    double stiffness) {
+  const std::size_t x = 2 * end;
+  const std::size_t y = x + 1;
+  for (std::array<double, Size>& row : hessian) {
+    const Vec2 kept = curve.of({row[x], row[y]});
+    row[x] = kept.x;
+    row[y] = kept.y;
+  }
+  for (std::size_t i = 0; i < Size; ++i) {
+    const Vec2 kept = curve.of({hessian[x][i], hessian[y][i]});
+    hessian[x][i] = kept.x;
+    hessian[y][i] = kept.y;
+  }
+  const Vec2 t = curve.tangent();
+  const Vec2 rest_x = Vec2{1, 0} - curve.of({1, 0}); // what is not along the curve
+  const Vec2 rest_y = Vec2{0, 1} - curve.of({0, 1});
+  hessian[x][x] += bend * t.x * t.x + stiffness * rest_x.x;
+  hessian[x][y] += bend * t.x * t.y + stiffness * rest_y.x;
+  hessian[y][x] += bend * t.x * t.y + stiffness * rest_x.y;
+  hessian[y][y] += bend * t.y * t.y + stiffness * rest_y.y;
+}
+
+/// k·n·∂φ/∂x.
+FOAM_HOST_DEVICE inline double bend_of(const Freedom& curve, Vec2 gradient) {
+  return curve.curvature() * dot(left_normal(curve.tangent()), gradient);
+}
+
+/// Keeps an end of a film to a curve with both its derivatives: ∂φ/∂s is t·∂φ/∂x.
 FOAM_HOST_DEVICE inline void keep_to_curve(FilmLagrangian& film, std::size_t end,
                                            const Freedom& curve, double stiffness) {
   const std::size_t x = 2 * end;
-  const std::size_t y = x + 1;
-  const Vec2 tangent = curve.tangent();
-  const Vec2 normal = left_normal(tangent);
-  const Vec2 force{film.gradient[x], film.gradient[y]};
-  const double bend = curve.curvature() * dot(normal, force);
-  film.gradient[x] = curve.of(force).x;
-  film.gradient[y] = curve.of(force).y;
-  for (std::size_t i = 0; i < FilmLagrangian::kVariables; ++i) {
-    const Vec2 kept = curve.of({film.hessian[i][x], film.hessian[i][y]});
-    film.hessian[i][x] = kept.x;
-    film.hessian[i][y] = kept.y;
-  }
-  for (std::size_t i = 0; i < FilmLagrangian::kVariables; ++i) {
-    const Vec2 kept = curve.of({film.hessian[x][i], film.hessian[y][i]});
-    film.hessian[x][i] = kept.x;
-    film.hessian[y][i] = kept.y;
-  }
-  const Vec2 rest_x = Vec2{1, 0} - curve.of({1, 0}); // what is not along the curve
-  const Vec2 rest_y = Vec2{0, 1} - curve.of({0, 1});
-  film.hessian[x][x] += bend * tangent.x * tangent.x + stiffness * rest_x.x;
-  film.hessian[x][y] += bend * tangent.x * tangent.y + stiffness * rest_y.x;
-  film.hessian[y][x] += bend * tangent.x * tangent.y + stiffness * rest_x.y;
-  film.hessian[y][y] += bend * tangent.y * tangent.y + stiffness * rest_y.y;
+  const Vec2 gradient{film.gradient[x], film.gradient[x + 1]};
+  film.gradient[x] = curve.of(gradient).x;
+  film.gradient[x + 1] = curve.of(gradient).y;
+  keep_to_curve(film.hessian, end, curve, bend_of(curve, gradient), stiffness);
 }
 
 /// Takes α out of the derivatives: α follows the other unknowns so that ∂φ/∂α stays what Newton's

@@ -24,7 +24,7 @@ template <class Mesh> FOAM_HOST_DEVICE double permeability(const Mesh& mesh, Hal
 
 /// dA/dt of a bubble from the gas that its films let through, −Σ κ·l·Δp (thesis 2.4.1), cm²/s.
 template <class Mesh>
-FOAM_HOST_DEVICE double gas_transfer(const Mesh& mesh, Bubble bubble, double kappa) {
+FOAM_APART double gas_transfer(const Mesh& mesh, Bubble bubble, double kappa) {
   double inflow = 0;
   for_each_half(mesh, bubble, [&](Half h) {
     inflow -= permeability(mesh, h, kappa) * mesh.length(h) * mesh.pressure_difference(h);
@@ -77,15 +77,7 @@ struct AreaRate {
   double kappa = 0;
 
   FOAM_HOST_DEVICE double operator()(Bubble bubble) const {
-    const Beside beside = what_is_beside(bubble);
-    if (beside.pinned) {
-      return gas_transfer(mesh, bubble, kappa);
-    }
-    if (!mesh.has_uniform_tension()) {
-      return beside.wall ? gas_transfer(mesh, bubble, kappa)
-                         : balanced_gas_transfer(mesh, bubble, kappa);
-    }
-    return constant * (beside.wall ? growth_on_walls(mesh, bubble) : mesh.sides[bubble] - 6);
+    return everywhere_alike() ? constant * (mesh.sides[bubble] - 6) : rate_of(bubble);
   }
 
   /// Whether the bubble takes a share of what the total is off, in a closed foam, where no gas is
@@ -97,8 +89,7 @@ struct AreaRate {
   /// Whether the rate changes as the bubble does; von Neumann's stays while topology does, but for
   /// bubbles that come to cover more or less of a curved wall.
   FOAM_HOST_DEVICE bool measured(Bubble bubble) const {
-    const Beside beside = what_is_beside(bubble);
-    return !mesh.has_uniform_tension() || beside.pinned || beside.curved;
+    return !everywhere_alike() && is_measured(bubble);
   }
 
 private:
@@ -109,6 +100,25 @@ private:
     bool curved = false; ///< where a film ends
   };
 
+  /// Whether films meet everywhere at the same angles: there are no walls, and one tension.
+  FOAM_HOST_DEVICE bool everywhere_alike() const {
+    return !mesh.surroundings.has_walls() && mesh.has_uniform_tension();
+  }
+  FOAM_APART double rate_of(Bubble bubble) const {
+    const Beside beside = what_is_beside(bubble);
+    if (beside.pinned) {
+      return gas_transfer(mesh, bubble, kappa);
+    }
+    if (!mesh.has_uniform_tension()) {
+      return beside.wall ? gas_transfer(mesh, bubble, kappa)
+                         : balanced_gas_transfer(mesh, bubble, kappa);
+    }
+    return constant * (beside.wall ? growth_on_walls(mesh, bubble) : mesh.sides[bubble] - 6);
+  }
+  FOAM_APART bool is_measured(Bubble bubble) const {
+    const Beside beside = what_is_beside(bubble);
+    return !mesh.has_uniform_tension() || beside.pinned || beside.curved;
+  }
   FOAM_HOST_DEVICE Beside what_is_beside(Bubble bubble) const {
     Beside beside;
     if (mesh.surroundings.has_walls()) {

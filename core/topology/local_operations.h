@@ -101,8 +101,7 @@ struct SwappedEnd {
 /// Of the end of h after it is swapped with what lies between two films that end on a wall, if h is
 /// the stretch between them: one comes to lie in its middle, the other as far from the wall as it
 /// was long.
-template <class Mesh>
-FOAM_HOST_DEVICE std::array<SwappedEnd, 2> ends_off_wall(const Mesh& mesh, Half h) {
+template <class Mesh> FOAM_APART std::array<SwappedEnd, 2> ends_off_wall(const Mesh& mesh, Half h) {
   const double length = mesh.length(h);
   const WallPlace middle = mesh.place_on_stretch(h, 0.5 * length);
   const Vec2 foot = point_of(mesh, middle);
@@ -115,7 +114,7 @@ template <class Mesh>
 FOAM_HOST_DEVICE void put_end(Mesh& mesh, Junction junction, const SwappedEnd& end) {
   if (end.on_wall) {
     mesh.put_on_wall(junction, end.place);
-    mesh.position[junction] = end.position;
+    mesh.position[junction] = end.position; // or an image of it
   } else {
     mesh.put_off_wall(junction, end.position);
   }
@@ -123,8 +122,7 @@ FOAM_HOST_DEVICE void put_end(Mesh& mesh, Junction junction, const SwappedEnd& e
 
 /// Of a film that becomes a stretch of a wall, which its start is on: a half of its length away
 /// from there. \param way a stretch from there
-template <class Mesh>
-FOAM_HOST_DEVICE SwappedEnd end_along_wall(const Mesh& mesh, Half film, Half way) {
+template <class Mesh> FOAM_APART SwappedEnd end_along_wall(const Mesh& mesh, Half film, Half way) {
   const double distance = 0.5 * std::min(mesh.length(film), mesh.length(way));
   const WallPlace place = mesh.place_on_stretch(way, distance);
   return {place, point_of(mesh, place), true};

@@ -70,7 +70,7 @@ FOAM_HOST_DEVICE inline Vec2 common_point(const std::array<Circle, 3>& circles, 
 /// Where a circle cuts a stretch of a wall, whose ends lie on either side of it; the middle of the
 /// stretch if they do not.
 template <class Mesh>
-FOAM_HOST_DEVICE WallPlace cut_of_wall(const Mesh& mesh, const Circle& circle, Half stretch) {
+FOAM_APART WallPlace cut_of_wall(const Mesh& mesh, const Circle& circle, Half stretch) {
   const auto value = [&](double distance) {
     return circle.value(point_of(mesh, mesh.place_on_stretch(stretch, distance)));
   };

@@ -15,7 +15,9 @@
 
 namespace foam::cuda {
 
-template <class Kernel> __global__ void call_for_each(Index size, Kernel kernel) {
+/// The kernel stays where kernels' arguments lie, also when its functions take its address.
+template <class Kernel>
+__global__ void call_for_each(Index size, const __grid_constant__ Kernel kernel) {
   const Index i = static_cast<Index>(blockIdx.x * blockDim.x + threadIdx.x);
   if (i < size) {
     kernel(i);

@@ -14,6 +14,7 @@
 #include "physics/step_limits.h"
 #include "physics/swap_rule.h"
 #include "topology/operations.h"
+#include "topology/wall_contact.h"
 
 namespace foam {
 namespace {
@@ -235,7 +236,10 @@ std::optional<Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
     if (aborted && aborted()) {
       throw Aborted();
     }
-    const std::optional<Event> event = queue_.next();
+    std::optional<Event> event = queue_.next();
+    if (const auto touch = next_touch(); touch && (!event || touch->time < event->time)) {
+      event = touch;
+    }
     if (!event && at_end) {
       return std::nullopt;
     }
@@ -279,6 +283,57 @@ bool EventCoarsening::has_short_film() const {
     }
   }
   return false;
+}
+
+/// When a film reaches an obstacle that lies free in a bubble, as all move along their response, if
+/// one does in this step. \pre the whole foam stands at this instant
+std::optional<Event> EventCoarsening::next_touch() const {
+  const auto least_gap = [](const Foam& foam) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Outside wall : foam.outside_slots()) {
+      if (foam.exterior[wall].host != kNone) {
+        const auto approach = nearest_film(foam, wall);
+        least = approach ? std::min(least, approach->gap) : least;
+      }
+    }
+    return least;
+  };
+  if (std::isinf(least_gap(foam_))) {
+    return std::nullopt;
+  }
+  Foam ahead = foam_;
+  Motion motion = motion_;
+  const auto gap_at = [&](double time) {
+    motion.bring_all(ahead, time);
+    return least_gap(ahead);
+  };
+  double before = now_;
+  double after = step_;
+  if (least_gap(foam_) > 0) {
+    if (gap_at(after) > 0) {
+      return std::nullopt;
+    }
+    while (after - before > 0.5 * same_time()) {
+      const double middle = 0.5 * (before + after);
+      (gap_at(middle) > 0 ? before : after) = middle;
+    }
+  }
+  return Event{.time = before, .kind = Event::Kind::Touch};
+}
+
+/// Parts the film that has reached an obstacle.
+void EventCoarsening::touch(const AbortCheck& aborted) {
+  std::optional<Approach> nearest;
+  for (const Outside wall : foam_.outside_slots()) {
+    if (foam_.exterior[wall].host != kNone) {
+      const auto approach = nearest_film(foam_, wall);
+      nearest = approach && (!nearest || approach->gap < nearest->gap) ? approach : nearest;
+    }
+  }
+  const std::array around{foam_.left(nearest->film), foam_.right(nearest->film)};
+  changed_ = now_;
+  perform_touch(foam_, *nearest);
+  relax_around(around, aborted);
 }
 
 /// Gives a closed foam's bubbles back what has been lost on the way: by rounding and, where rates
@@ -484,6 +539,10 @@ void EventCoarsening::schedule(const Event& event) {
 std::optional<Obstacle> EventCoarsening::handle(const Event& event, const AbortCheck& aborted) {
   if (event.kind == Event::Kind::Collapse) {
     return foam_.has_bubble(event.bubble) ? handle_collapse(event.bubble, aborted) : std::nullopt;
+  }
+  if (event.kind == Event::Kind::Touch) {
+    touch(aborted);
+    return std::nullopt;
   }
   const Film film = event.film;
   if (!foam_.has_film(film)) {

@@ -61,6 +61,8 @@ private:
   double drift() const { return 300 * options_.equilibrator.tolerance / step_; }
   double same_time() const;
   bool has_short_film() const;
+  std::optional<Event> next_touch() const;
+  void touch(const AbortCheck& aborted);
   void balance_gas();
 
   void schedule_all();

@@ -15,7 +15,8 @@ struct Event {
   enum class Kind : std::uint8_t {
     Collapse, ///< a bubble reaches the area at which it gives way
     Close,    ///< a film reaches the T1 length
-    Strain    ///< a film has changed so much that its motion does not carry on
+    Strain,   ///< a film has changed so much that its motion does not carry on
+    Touch     ///< a film comes upon an obstacle that lies free in a bubble
   };
 
   double time = 0; ///< s from the beginning of the frame

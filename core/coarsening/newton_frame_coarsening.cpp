@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "topology/wall_contact.h"
+
 namespace foam {
 
 NewtonFrameCoarsening::NewtonFrameCoarsening(const CoarseningOptions& options, int threads,
@@ -34,6 +36,10 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
     foam_ = std::move(next);
   }
   note(foam_, result, options_);
+  if (result.performed() && touch_walls(foam_)) {
+    in_need_.forget();
+    in_need_.equilibrate(foam_, foam_.thresholds.t1_length, aborted);
+  }
   return result.performed();
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/bounds.h"
+#include "geometry/winding.h"
 
 namespace foam {
 namespace {
@@ -48,25 +49,6 @@ double twice_area(std::span<const Vec2> polygon) {
     sum += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
   }
   return sum;
-}
-
-/// How often a wall winds round a point to the left.
-int winding(const Wall& wall, Vec2 point) {
-  double turn = 0;
-  int in_segments = 0;
-  for (const WallPiece& piece : wall.pieces) {
-    turn += angle_from_to(piece.start - point, piece.end() - point);
-    if (const double curvature = piece.curvature(); curvature != 0) {
-      const Vec2 middle = piece.start + 0.5 * piece.chord;
-      const Vec2 centre = middle + (std::cos(piece.half_angle) / curvature / norm(piece.chord)) *
-                                       left_normal(piece.chord);
-      const double side = cross(piece.chord, point - piece.start); // > 0: on the left of the chord
-      if (norm(point - centre) * std::abs(curvature) < 1 && side * piece.half_angle < 0) {
-        in_segments += piece.half_angle > 0 ? 1 : -1;
-      }
-    }
-  }
-  return static_cast<int>(std::lround(turn / (2 * std::numbers::pi))) + in_segments;
 }
 
 bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
@@ -203,10 +185,11 @@ Container outline(std::span<const std::vector<Vec2>> polygons, WallContact conta
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     if (static_cast<std::ptrdiff_t>(p) != largest) {
       if (!is_inside(container, polygons[p][0])) {
-        throw FoamError(
-            "outline " + to_string(p) + ", an obstacle, lies at " + number(polygons[p][0]) +
-            (winding(container.walls[0], polygons[p][0]) == 0 ? ", outside of the container"
-                                                              : ", inside of another obstacle"));
+        throw FoamError("outline " + to_string(p) + ", an obstacle, lies at " +
+                        number(polygons[p][0]) +
+                        (winding(container.walls[0].pieces, polygons[p][0]) == 0
+                             ? ", outside of the container"
+                             : ", inside of another obstacle"));
       }
       add(polygons[p], false);
     }
@@ -241,7 +224,7 @@ bool is_inside(const Container& container, Vec2 point) {
   }
   int turns = 0;
   for (const Wall& wall : container.walls) {
-    turns += winding(wall, point);
+    turns += winding(wall.pieces, point);
   }
   return turns == 1;
 }

@@ -14,6 +14,7 @@
 #include "base/random.h"
 #include "construct/triangulation.h"
 #include "geometry/bounds.h"
+#include "mesh/hosted_walls.h"
 #include "mesh/validate.h"
 
 namespace foam {
@@ -118,6 +119,7 @@ public:
     close_walls();
     Foam foam = assemble();
     give_away_pieces(foam);
+    house_walls(foam);
     if (const auto problems = validate(foam); !problems.empty()) {
       throw FoamError("the cells of the points make no foam between these walls: " +
                       problems.front() + "; more points may");
@@ -327,10 +329,7 @@ private:
       return found;
     }
     const double radius = 1 / piece.curvature();
-    const Vec2 centre =
-        piece.start + 0.5 * piece.chord +
-        (std::cos(piece.half_angle) * radius / norm(piece.chord)) * left_normal(piece.chord);
-    const Vec2 r = a - centre;
+    const Vec2 r = a - piece.centre();
     const double half_b = dot(r, d) / dot(d, d);
     const double c = (dot(r, r) - radius * radius) / dot(d, d);
     if (const double discriminant = half_b * half_b - c; discriminant > 0) {
@@ -368,8 +367,7 @@ private:
         }
       }
       if (contacts.empty()) {
-        throw FoamError("no film ends on wall " + to_string(wall.index()) +
-                        ", which lies in the cell of one point: more points near it would");
+        continue; // it lies in the cell of one point
       }
       const bool line = is_line(walls_.exterior[wall]);
       const auto turns = [&](std::size_t n) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/engines.h"
 
+#include "base/error.h"
 #include "coarsening/event_coarsening.h"
 #include "coarsening/newton_frame_coarsening.h"
 #include "engines/accelerator.h"
 #include "engines/own_units.h"
 #include "equilibrium/newton_equilibrator.h"
+#include "mesh/hosted_walls.h"
 #include "thesis/frame_coarsening.h"
 #include "thesis/junction_equilibrator.h"
 
@@ -45,9 +47,19 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
 std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
   check(options);
   const Method& method = method_for(Method::Work::Coarsening, options);
-  const Accelerator* const accelerator = accelerator_for(options.equilibrator.device, method);
+  const Device device = options.equilibrator.device;
+  const Accelerator* const accelerator = accelerator_for(device, method);
   return std::make_unique<OwnUnitsCoarsening>(
-      options, accelerator != nullptr ? accelerator->make_coarsening : coarsening_here);
+      options, [accelerator, device](const CoarseningOptions& its, const Foam& foam) {
+        if (accelerator != nullptr && has_obstacles(foam)) {
+          if (device == Device::CUDA) {
+            throw FoamError("Device = CUDA, but there are obstacles in the foam: how films come "
+                            "upon them is computed on the CPU alone");
+          }
+          return coarsening_here(its);
+        }
+        return accelerator != nullptr ? accelerator->make_coarsening(its) : coarsening_here(its);
+      });
 }
 
 } // namespace foam

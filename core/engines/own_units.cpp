@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/hosted_walls.h"
 #include "physics/gas.h"
 
 namespace foam {
@@ -108,11 +109,14 @@ void OwnUnitsCoarsening::restart(Foam foam) {
   options.time_step = foam.time_step = time_step(options_, foam, foam.mean_area());
   foam.growth_constant = von_neumann_constant(foam.surface_tension, options_.permeability);
   change_units(foam, own);
-  auto anew = coarsening_ && options == its_options_ ? nullptr : make_(options);
+  const bool obstacles = has_obstacles(foam);
+  const bool alike = options == its_options_ && obstacles == has_obstacles_;
+  auto anew = coarsening_ && alike ? nullptr : make_(options, foam);
   (anew ? *anew : *coarsening_).restart(std::move(foam));
   if (anew) {
     coarsening_ = std::move(anew);
     its_options_ = options;
+    has_obstacles_ = obstacles;
   }
   own_ = own;
   foam_.reset();

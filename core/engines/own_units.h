@@ -34,7 +34,8 @@ private:
 /// begins anew.
 class OwnUnitsCoarsening final : public Coarsening {
 public:
-  using Make = std::function<std::unique_ptr<Coarsening>(const CoarseningOptions&)>;
+  /// For a foam such as the one given.
+  using Make = std::function<std::unique_ptr<Coarsening>(const CoarseningOptions&, const Foam&)>;
 
   OwnUnitsCoarsening(const CoarseningOptions& options, Make make);
 
@@ -51,6 +52,7 @@ private:
   UnitChange own_;
   std::unique_ptr<Coarsening> coarsening_;
   CoarseningOptions its_options_; ///< coarsening_'s
+  bool has_obstacles_ = false;    ///< the foam that it was made for
   mutable std::optional<Foam> foam_;
   mutable FoamRecord record_;
 };

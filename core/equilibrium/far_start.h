@@ -9,6 +9,7 @@
 #include "geometry/bounds.h"
 #include "mesh/foam.h"
 #include "physics/measured_targets.h"
+#include "topology/wall_contact.h"
 
 namespace foam {
 
@@ -78,9 +79,9 @@ inline void take_size_of_gas(Foam& foam) {
 /// its report in the foam. \returns foam.report, with the iterations of all attempts.
 /// \throws Aborted
 template <class IsFar, class Newton>
-EquilibriumReport equilibrate_from_afar(Foam& foam, const IsFar& is_far, double t1_length,
-                                        int most_iterations, const AbortCheck& aborted,
-                                        const Newton& newton) {
+EquilibriumReport find_equilibrium(Foam& foam, const IsFar& is_far, double t1_length,
+                                   int most_iterations, const AbortCheck& aborted,
+                                   const Newton& newton) {
   constexpr double kNear = 0.2;     // residual that relaxed gas leaves at first,
   constexpr double kNearer = 0.25;  // and part of it that it leaves each time after
   constexpr double kSwapped = 0.05; // films of this part of a bubble's size are short at first,
@@ -149,6 +150,18 @@ EquilibriumReport equilibrate_from_afar(Foam& foam, const IsFar& is_far, double 
     go_back_to(origin);
   }
   foam.report.iterations = iterations;
+  return foam.report;
+}
+
+/// The same, and again with films that have gone beyond obstacles ending on these, until there is
+/// none.
+template <class IsFar, class Newton>
+EquilibriumReport equilibrate_from_afar(Foam& foam, const IsFar& is_far, double t1_length,
+                                        int most_iterations, const AbortCheck& aborted,
+                                        const Newton& newton) {
+  do {
+    find_equilibrium(foam, is_far, t1_length, most_iterations, aborted, newton);
+  } while (foam.report.converged && t1_length > 0 && touch_walls(foam));
   return foam.report;
 }
 

@@ -7,6 +7,7 @@
 
 #include "equilibrium/far_start.h"
 #include "physics/equilibrium_measures.h"
+#include "topology/wall_contact.h"
 
 namespace foam {
 namespace {
@@ -65,12 +66,15 @@ void NewtonEquilibrator::forget() {
 EquilibriumReport NewtonEquilibrator::equilibrate(Foam& foam, double t1_length,
                                                   const AbortCheck& aborted) {
   try {
-    return equilibrate_from_afar(
-        foam, [&](Foam& start) { return is_far(start); }, t1_length, options_.maximum_iterations,
-        aborted,
-        [&](Foam& start, int most_iterations) {
-          equilibrate_to(start, options_.tolerance, t1_length, most_iterations, aborted);
-        });
+    do {
+      equilibrate_from_afar(
+          foam, [&](Foam& start) { return is_far(start); }, t1_length, options_.maximum_iterations,
+          aborted,
+          [&](Foam& start, int most_iterations) {
+            relax_to(start, options_.tolerance, t1_length, most_iterations, aborted);
+          });
+    } while (foam.report.converged && t1_length > 0 && touch_walls(foam));
+    return foam.report;
   } catch (...) {
     foam.report = measured_report(foam);
     throw;
@@ -86,6 +90,14 @@ bool NewtonEquilibrator::is_far(Foam& foam) {
 EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double tolerance, double t1_length,
                                                      int most_iterations,
                                                      const AbortCheck& aborted) {
+  do {
+    relax_to(foam, tolerance, t1_length, most_iterations, aborted);
+  } while (foam.report.converged && t1_length > 0 && touch_walls(foam));
+  return foam.report;
+}
+
+void NewtonEquilibrator::relax_to(Foam& foam, double tolerance, double t1_length,
+                                  int most_iterations, const AbortCheck& aborted) {
   iterations_ = 0;
   swaps_.begin(foam);
   relax_unrelaxed_regions(foam, t1_length, most_iterations, aborted);
@@ -98,7 +110,6 @@ EquilibriumReport NewtonEquilibrator::equilibrate_to(Foam& foam, double toleranc
                  .max_angle_error = max_angle_error(foam),
                  .max_area_error = outcome.residual.area,
                  .residual = outcome.residual.largest()};
-  return foam.report;
 }
 
 /// Where a foam that is in equilibrium but in a few places is not, patches around those are relaxed

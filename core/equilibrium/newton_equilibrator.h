@@ -52,6 +52,8 @@ private:
   class Problem;
 
   bool is_far(Foam& foam);
+  void relax_to(Foam& foam, double tolerance, double t1_length, int most_iterations,
+                const AbortCheck& aborted);
   void relax_unrelaxed_regions(Foam& foam, double t1_length, int most_iterations,
                                const AbortCheck& aborted);
   bool relax_patch_to(double tolerance, Foam& foam, std::span<const Bubble> bubbles,

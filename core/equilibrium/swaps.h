@@ -41,7 +41,7 @@ FOAM_HOST_DEVICE inline bool closes(const ConstFoamView& mesh, Film film, const 
 /// Whether a closing film is to be swapped. Three-sided bubbles keep their sides: they vanish by
 /// T2.
 template <class Mesh> FOAM_HOST_DEVICE bool may_be_swapped(const Mesh& mesh, Film film) {
-  return spares_sides(mesh, film) && can_perform_t1(mesh, film) && unstable_to_t1(mesh, film);
+  return can_perform_t1(mesh, film) && spares_sides(mesh, film) && unstable_to_t1(mesh, film);
 }
 
 /// Swaps one after the other, the shortest first, no two at one junction.
@@ -90,15 +90,15 @@ public:
       const std::array ends{foam.start(film.half()), foam.end(film.half())};
       const bool taken = std::ranges::find_first_of(used, ends) != used.end();
       if (!taken && may_be_swapped(foam, film)) {
-        perform_t1(foam, film);
-        ++count_[film];
-        swapped_.push_back(film);
-        used.insert(used.end(), ends.begin(), ends.end());
         for (const Junction j : ends) {
           for (const Half h : foam.junction_half[j]) {
             touched.push_back(foam.left(h));
           }
         }
+        perform_t1(foam, film);
+        ++count_[film];
+        swapped_.push_back(film);
+        used.insert(used.end(), ends.begin(), ends.end());
       }
     }
     return touched;

@@ -24,6 +24,11 @@ struct WallPiece {
   FOAM_HOST_DEVICE Vec2 point(double place) const {
     return place == 0 ? start : arc_point(start, chord, half_angle, place / length());
   }
+  /// Of its circle. \pre curvature() is not 0
+  FOAM_HOST_DEVICE Vec2 centre() const {
+    return start + 0.5 * chord +
+           (std::cos(half_angle) / curvature() / norm(chord)) * left_normal(chord);
+  }
   /// Of length 1.
   FOAM_HOST_DEVICE Vec2 tangent(double place) const {
     return rotated((1 / norm(chord)) * chord, half_angle * (2 * place / length() - 1));

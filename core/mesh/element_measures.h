@@ -98,10 +98,14 @@ template <class Mesh> FOAM_HOST_DEVICE double curvature_error(const Mesh& mesh, 
 }
 
 /// Whether the films leave a junction in counter-clockwise order; on a wall, whether one leaves to
-/// the foam's side.
+/// the foam's side, which at an edge is that of either piece.
 template <class Mesh> FOAM_APART bool counter_clockwise(const Mesh& mesh, Junction junction) {
   if (mesh.on_wall(junction)) {
-    return contact_angle(mesh, junction) > 0;
+    const WallPlace at = mesh.place_on_wall(junction);
+    const WallPiece& before = mesh.wall_piece[neighbour_piece(mesh, at.piece, -1)];
+    return contact_angle(mesh, junction) > 0 ||
+           (at.place == 0 && starts_at_edge(mesh, at.piece) &&
+            cross(before.tangent(before.length()), mesh.tangent(mesh.off_wall(junction))) > 0);
   }
   const std::array<Half, 3>& halves = mesh.junction_half[junction];
   const Vec2 first = mesh.tangent(halves[0]);

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "mesh/element_measures.h"
+#include "mesh/hosted_walls.h"
 #include "mesh/validate.h"
 
 namespace foam {
@@ -125,6 +126,9 @@ FilmSet film_set(const Foam& foam) {
   FilmSet set;
   static_cast<FoamRecord&>(set) = static_cast<const FoamRecord&>(foam);
   set.exteriors = foam.exterior;
+  for (Exterior& exterior : set.exteriors) {
+    exterior.host = kNone; // the films tell
+  }
   set.wall_pieces = foam.wall_piece;
 
   Field<Junction, Index> junction_number(foam.position.size(), kNone);
@@ -255,6 +259,7 @@ Foam foam_of(const FilmSet& set) {
   }
   if (set.surroundings.has_walls()) {
     set_walls(foam, set);
+    house_walls(foam);
   }
   const auto problems = validate(foam);
   if (!problems.empty()) {

@@ -64,6 +64,26 @@ void Foam::clear(Index bubbles, Index films, Index junctions) {
   junction_piece.clear();
 }
 
+void Foam::make_room(Index films, Index junctions) {
+  const auto lengthen = [](auto& field, Index by) {
+    field.resize(field.size() + static_cast<std::size_t>(by));
+  };
+  for_each_array(
+      [&]<class Element, class T>(Field<Element, T>& field) {
+        if (field.empty()) {
+          return;
+        }
+        if constexpr (std::is_same_v<Element, Film>) {
+          lengthen(field, films);
+        } else if constexpr (std::is_same_v<Element, Half>) {
+          lengthen(field, 2 * films);
+        } else if constexpr (std::is_same_v<Element, Junction>) {
+          lengthen(field, junctions);
+        }
+      },
+      *this);
+}
+
 void Foam::surround(const Surroundings& with) {
   surroundings = with;
   exterior.assign(with.periodic() ? 0 : 1, Exterior{});

@@ -98,7 +98,7 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
   Slots<Film> film_slots() const { return Slots<Film>(count(film_angle)); }
   Slots<Half> half_slots() const { return Slots<Half>(count(half_junction)); }
   Slots<Junction> junction_slots() const { return Slots<Junction>(count(position)); }
-  Slots<Outside> outside_slots() const { return Slots<Outside>(count(exterior)); }
+  FOAM_HOST_DEVICE Slots<Outside> outside_slots() const { return Slots<Outside>(count(exterior)); }
   Slots<Piece> piece_slots() const { return Slots<Piece>(count(wall_piece)); }
 
   Index bubble_count() const;
@@ -114,6 +114,8 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
 
   /// So many elements of each kind, all of them gone. Outsides stay.
   void clear(Index bubbles, Index films, Index junctions);
+  /// So many films and junctions more, all of them gone.
+  void make_room(Index films, Index junctions);
   /// Takes surroundings without walls, with outsides of pressure 0.
   void surround(const Surroundings& with);
   /// Takes walls, each closed and with the foam on its left, as solid outsides.
@@ -125,7 +127,7 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
 private:
   void find_pieces();
 
-  template <class Array> static Index count(const Array& array) {
+  template <class Array> FOAM_HOST_DEVICE static Index count(const Array& array) {
     return static_cast<Index>(array.size());
   }
 };

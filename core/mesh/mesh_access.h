@@ -227,6 +227,30 @@ template <class Mesh> struct MeshAccess {
       segments += h.reversed() ? -segment(h.film()) : segment(h.film());
       at += d;
     });
+    return 0.5 * twice_polygon + segments +
+           (mesh().surroundings.has_walls() ? area_of_walls_in(b) : 0);
+  }
+
+  /// Whether a wall lies in the bubble that no film touches.
+  FOAM_HOST_DEVICE bool hosts_wall(Bubble b) const {
+    bool found = false;
+    for (const Outside o : mesh().outside_slots()) {
+      found = found || mesh().exterior[o].host == b;
+    }
+    return found;
+  }
+  /// Area inside of a whole wall, on the account of the foam's side: negative of an obstacle, cm².
+  FOAM_APART double area_of_wall(Outside outside) const {
+    const Exterior& exterior = mesh().exterior[outside];
+    double twice_polygon = 0;
+    double segments = 0;
+    Vec2 at;
+    for (Index i = 0; i < exterior.pieces; ++i) {
+      const WallPiece& piece = mesh().wall_piece[Piece(exterior.first_piece + i)];
+      twice_polygon += cross(at, piece.chord);
+      segments += segment_area(norm(piece.chord), piece.half_angle);
+      at += piece.chord;
+    }
     return 0.5 * twice_polygon + segments;
   }
 
@@ -239,6 +263,13 @@ private:
   FOAM_HOST_DEVICE const Mesh& mesh() const { return static_cast<const Mesh&>(*this); }
   FOAM_HOST_DEVICE Mesh& mesh() { return static_cast<Mesh&>(*this); }
 
+  FOAM_APART double area_of_walls_in(Bubble b) const {
+    double sum = 0;
+    for (const Outside o : mesh().outside_slots()) {
+      sum += mesh().exterior[o].host == b ? area_of_wall(o) : 0;
+    }
+    return sum;
+  }
   FOAM_APART void slide(Junction j, Vec2 from, Vec2 change) {
     if (from != mesh().position[j]) {
       const Outside outside = mesh().piece_outside[mesh().junction_piece[j]];

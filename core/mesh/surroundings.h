@@ -38,6 +38,7 @@ struct Exterior {
   Index first_piece = 0; ///< of the wall, walked with the foam on the left;
   Index pieces = 0;      ///< so many follow each other and close. A single one is a straight line
                          ///< from one image of a period to the next.
+  Bubble host = kNone;   ///< that the wall lies in, if no film ends on it
 
   friend bool operator==(const Exterior&, const Exterior&) = default;
 };

@@ -30,6 +30,7 @@ public:
     }
     if (problems_.empty()) {
       check_loops();
+      check_hosts();
       check_euler();
     }
     return std::move(problems_);
@@ -143,9 +144,29 @@ private:
     }
   }
 
+  /// A wall lies in a bubble if no film ends on it.
+  void check_hosts() {
+    Field<Outside, Index> films(foam_.exterior.size(), 0);
+    for (const Half h : foam_.half_slots()) {
+      if (foam_.start(h) != kNone && foam_.left(h).is_outside()) {
+        ++films[foam_.left(h).outside()];
+      }
+    }
+    for (const Outside wall : foam_.outside_slots()) {
+      const Bubble host = foam_.exterior[wall].host;
+      const std::string text = "wall " + name(wall) + ", beside which " + to_string(films[wall]);
+      require(host == kNone || films[wall] == 0, text + " films are, also lies free in a bubble");
+      require(host == kNone || (in(host, foam_.bubble_slots()) && foam_.has_bubble(host)),
+              text + " films are, lies in bubble " + name(host) + ", which does not exist");
+    }
+  }
+
   void check_euler() {
     const bool torus = foam_.surroundings.periodic();
-    const Index faces = foam_.bubble_count() + foam_.outside_slots().size();
+    Index faces = foam_.bubble_count();
+    for (const Exterior& exterior : foam_.exterior) {
+      faces += exterior.host == kNone ? 1 : 0;
+    }
     const Index characteristic = foam_.junction_count() - foam_.film_count() + faces;
     require(
         characteristic == (torus ? 0 : 2),
@@ -167,7 +188,7 @@ private:
 /// passed each other.
 void check_order(const Foam& foam, Outside wall, std::vector<std::string>& problems) {
   const Exterior& exterior = foam.exterior[wall];
-  if (exterior.kind != Exterior::Kind::Solid) {
+  if (exterior.kind != Exterior::Kind::Solid || exterior.host != kNone) {
     return;
   }
   double round = 0;

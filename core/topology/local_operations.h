@@ -54,6 +54,13 @@ template <class Mesh> FOAM_HOST_DEVICE void remove_bubble(Mesh& mesh, Bubble b) 
   mesh.bubble_half[b] = kNone;
 }
 
+/// Gives a film the curvature that its bubbles' pressures ask for, up to arcs of 60°.
+template <class Mesh> FOAM_HOST_DEVICE void bend_by_pressure(Mesh& mesh, Half h) {
+  const double sine =
+      mesh.pressure_difference(h) * norm(mesh.chord(h)) / (2 * mesh.tension(h.film()));
+  mesh.set_half_angle(h, mesh.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
+}
+
 /// Whether a junction of three films can hold their tensions.
 template <class Mesh>
 FOAM_HOST_DEVICE bool can_meet(const Mesh& mesh, const std::array<Half, 3>& halves) {
@@ -120,6 +127,27 @@ FOAM_HOST_DEVICE void put_end(Mesh& mesh, Junction junction, const SwappedEnd& e
   }
 }
 
+/// Whether h is a stretch of a wall on which only two films end.
+template <class Mesh> FOAM_HOST_DEVICE bool is_one_of_two_stretches(const Mesh& mesh, Half h) {
+  if (!mesh.wall(h)) {
+    return false;
+  }
+  const Half along = mesh.solid(mesh.left(h)) ? h : h.twin();
+  return mesh.next_in_bubble(mesh.next_in_bubble(along)) == along;
+}
+
+/// Whether the two films at the ends of h, one of two stretches of a wall, can leave the wall
+/// together: it is an obstacle's, and they are two.
+template <class Mesh> FOAM_HOST_DEVICE bool can_leave_wall(const Mesh& mesh, Half h) {
+  const Half e0 = mesh.solid(mesh.left(h)) ? h : h.twin();
+  const Half e1 = mesh.next_in_bubble(e0);
+  const Half o0 = mesh.off_wall(mesh.start(e0));
+  const Half o1 = mesh.off_wall(mesh.start(e1));
+  return mesh.area_of_wall(mesh.left(e0).outside()) < 0 && o0.film() != o1.film() &&
+         mesh.end(o0) != mesh.end(o1) && has_sides(mesh, e0.twin(), 4) &&
+         has_sides(mesh, e1.twin(), 4);
+}
+
 /// Of a film that becomes a stretch of a wall, which its start is on: a half of its length away
 /// from there. \param way a stretch from there
 template <class Mesh> FOAM_APART SwappedEnd end_along_wall(const Mesh& mesh, Half film, Half way) {
@@ -132,12 +160,15 @@ template <class Mesh> FOAM_APART SwappedEnd end_along_wall(const Mesh& mesh, Hal
 
 /// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
 /// one differ, or are two images of one, its ends may come together, and the new junctions can hold
-/// the tensions of their films.
+/// the tensions of their films. Or whether a film can leave a wall with it (leave_wall).
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Film film) {
   if (!mesh.may_close(film)) {
     return false;
   }
   const Half h = film.half();
+  if (detail::is_one_of_two_stretches(mesh, h)) {
+    return detail::can_leave_wall(mesh, h);
+  }
   const Half t = h.twin();
   const Half h1 = mesh.next_around_junction(h);
   const Half t1 = mesh.next_around_junction(t);
@@ -155,13 +186,62 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Fil
          holds(mesh.right(h), {t, h2, t1});
 }
 
+namespace detail {
+
+/// Makes one film of two that end in a two-sided loop of films, a bubble's or a wall's: the one
+/// that leaves the start of e0, the loop's half-film. \returns it
+template <class Mesh> FOAM_APART Half join_across(Mesh& mesh, Half e0) {
+  const Half e1 = mesh.next_in_bubble(e0);
+  const std::array neighbours{mesh.right(e0), mesh.right(e1)};
+  const Junction j0 = mesh.start(e0);
+  const Junction j1 = mesh.start(e1);
+  const Half o0 = mesh.previous_around_junction(e0);
+  const Half o1 = mesh.previous_around_junction(e1);
+  const Junction end = mesh.end(o1);
+  mesh.set_wrap(o0, mesh.wrap(o0) - mesh.wrap(e0) - mesh.wrap(o1));
+  mesh.half_junction[o0] = end;
+  for (Half& half : mesh.junction_half[end]) {
+    half = half == o1.twin() ? o0 : half;
+  }
+  for (const Half h : {e0, e1, o1}) {
+    remove_film(mesh, h.film());
+  }
+  remove_junction(mesh, j0);
+  remove_junction(mesh, j1);
+  represent(mesh, o0);
+  represent(mesh, o0.twin());
+  for (const Bubble neighbour : neighbours) {
+    add_sides(mesh, neighbour, -2);
+  }
+  return o0;
+}
+
+/// Lets the two films that end on an obstacle leave it as one, behind which it lies in the bubble
+/// beside the other of its two stretches. \param h the one that has vanished \returns the two
+/// bubbles along the film
+template <class Mesh> FOAM_APART std::array<Bubble, 2> leave_wall(Mesh& mesh, Half h) {
+  const Half e0 = mesh.solid(mesh.left(h)) ? h : h.twin();
+  const Bubble wall = mesh.left(e0);
+  const Bubble host = mesh.right(mesh.next_in_bubble(e0));
+  const Half film = join_across(mesh, e0);
+  mesh.exterior[wall.outside()].host = host;
+  bend_by_pressure(mesh, film);
+  return {mesh.left(film), mesh.right(film)};
+}
+
+} // namespace detail
+
 /// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along
 /// it part. The new film lies across the old one, has its chord's length and its tension, and takes
 /// the curvature of its bubbles' pressures. A film that ends on a wall becomes a stretch of the
-/// wall, and a stretch of a wall a film that ends there. \returns the two bubbles that lost a side,
-/// one of which may be an outside.
+/// wall, and a stretch of a wall a film that ends there, but the last but one of an obstacle, with
+/// which a film leaves it (leave_wall). \returns the two bubbles that lost a side, one of which may
+/// be an outside.
 template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mesh, Film film) {
   const Half h = film.half();
+  if (detail::is_one_of_two_stretches(mesh, h)) {
+    return detail::leave_wall(mesh, h);
+  }
   const Half t = h.twin();
   const Junction a = mesh.start(h);
   const Junction b = mesh.start(t);
@@ -209,8 +289,7 @@ template <class Mesh> FOAM_HOST_DEVICE std::array<Bubble, 2> swap_film(Mesh& mes
   detail::put_end(mesh, a, ends[0]);
   ends[1].position += to_b;
   detail::put_end(mesh, b, ends[1]);
-  const double sine = mesh.pressure_difference(h) * norm(mesh.chord(h)) / (2 * mesh.tension(film));
-  mesh.set_half_angle(h, mesh.wall(h) ? 0 : std::asin(std::clamp(sine, -0.5, 0.5)));
+  detail::bend_by_pressure(mesh, h);
   return parted;
 }
 
@@ -220,7 +299,7 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bub
   if (!mesh.has_bubble(bubble) || mesh.sides[bubble] != 3) {
     return false;
   }
-  bool possible = true;
+  bool possible = !(mesh.surroundings.has_walls() && mesh.hosts_wall(bubble));
   std::array<Half, 3> outer{};
   std::array<Bubble, 3> neighbours{};
   std::size_t k = 0;
@@ -335,7 +414,8 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bub
   const Half remaining = mesh.previous_around_junction(e0);
   const Half end = mesh.previous_around_junction(e1).twin();
   const int needed = mesh.right(e0) == mesh.right(e1) ? 6 : 4;
-  return detail::has_sides(mesh, e0.twin(), needed) && detail::has_sides(mesh, e1.twin(), needed) &&
+  return !(mesh.surroundings.has_walls() && mesh.hosts_wall(bubble)) &&
+         detail::has_sides(mesh, e0.twin(), needed) && detail::has_sides(mesh, e1.twin(), needed) &&
          mesh.end(remaining) != mesh.start(end) &&
          (mesh.on_wall(mesh.start(end)) ||
           detail::can_meet(mesh, {remaining, mesh.next_around_junction(end),
@@ -349,36 +429,17 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bub
 template <class Mesh>
 FOAM_HOST_DEVICE std::array<Bubble, 2> remove_two_sided_bubble(Mesh& mesh, Bubble bubble) {
   const Half e0 = mesh.bubble_half[bubble];
-  const Half e1 = mesh.next_in_bubble(e0);
-  const std::array neighbours{mesh.right(e0), mesh.right(e1)};
-  const Junction j0 = mesh.start(e0);
-  const Junction j1 = mesh.start(e1);
-  const Half o0 = mesh.previous_around_junction(e0);
-  const Half o1 = mesh.previous_around_junction(e1);
+  const std::array neighbours{mesh.right(e0), mesh.right(mesh.next_in_bubble(e0))};
+  const Half remaining = mesh.previous_around_junction(e0);
+  const Vec2 old_chord = mesh.chord(remaining);
   const detail::GasLedger<2> gas(mesh, bubble, neighbours);
 
-  const Junction end = mesh.end(o1);
-  const Vec2 old_chord = mesh.chord(o0);
-  const Vec2 chord = old_chord - mesh.chord(e0) - mesh.chord(o1);
-  mesh.set_wrap(o0, mesh.wrap(o0) - mesh.wrap(e0) - mesh.wrap(o1));
-  mesh.half_junction[o0] = end;
-  for (Half& half : mesh.junction_half[end]) {
-    half = half == o1.twin() ? o0 : half;
-  }
-  mesh.set_half_angle(
-      o0, mesh.wall(o0) ? 0 : detail::prolonged_half_angle(mesh.half_angle(o0), old_chord, chord));
-
-  for (const Half h : {e0, e1, o1}) {
-    detail::remove_film(mesh, h.film());
-  }
-  detail::remove_junction(mesh, j0);
-  detail::remove_junction(mesh, j1);
+  detail::join_across(mesh, e0);
+  mesh.set_half_angle(remaining, mesh.wall(remaining) ? 0
+                                                      : detail::prolonged_half_angle(
+                                                            mesh.half_angle(remaining), old_chord,
+                                                            mesh.chord(remaining)));
   detail::remove_bubble(mesh, bubble);
-  detail::represent(mesh, o0);
-  detail::represent(mesh, o0.twin());
-  for (const Bubble neighbour : neighbours) {
-    detail::add_sides(mesh, neighbour, -2);
-  }
   gas.share_out(mesh);
   return neighbours;
 }

@@ -224,14 +224,39 @@ Wrap periods(const FilmSet& set, Vec2 image, Index junction, vtkIdType film, dou
   return {static_cast<Index>(std::round(count.x)), static_cast<Index>(std::round(count.y))};
 }
 
+/// How many of the lines are films. Those that follow are of walls on which no film ends, and have
+/// no junctions.
+vtkIdType count_films(vtkPolyData* films, const std::vector<Index>& junction_of) {
+  vtkCellArray* lines = films->GetLines();
+  vtkIdType count = lines->GetNumberOfCells();
+  vtkDataArray* kind = films->GetCellData()->GetArray("Kind");
+  if (!kind || kind->GetNumberOfTuples() != count) {
+    return count;
+  }
+  const auto is_bare = [&](vtkIdType i) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetCellAtId(i, size, ids);
+    return kind->GetComponent(i, 0) == 1 && std::all_of(ids, ids + size, [&](vtkIdType id) {
+             return id >= 0 && id < films->GetNumberOfPoints() &&
+                    junction_of[static_cast<std::size_t>(id)] < 0;
+           });
+  };
+  while (count > 0 && is_bare(count - 1)) {
+    --count;
+  }
+  return count;
+}
+
 void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, FilmSet& set) {
   vtkCellArray* lines = films->GetLines();
-  const vtkIdType count = lines->GetNumberOfCells();
+  const vtkIdType all = lines->GetNumberOfCells();
   vtkFieldData* data = films->GetCellData();
-  const Column left(data, "LeftBubble", count, "film");
-  const Column right(data, "RightBubble", count, "film");
-  const Column half_angle(data, "HalfAngle", count, "film");
+  const Column left(data, "LeftBubble", all, "film");
+  const Column right(data, "RightBubble", all, "film");
+  const Column half_angle(data, "HalfAngle", all, "film");
   const double rounding = coordinate_rounding(films);
+  const vtkIdType count = count_films(films, junction_of);
   set.films.resize(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i) {
     vtkIdType size = 0;
@@ -263,13 +288,13 @@ void read_polylines(vtkPolyData* films, const std::vector<Index>& junction_of, F
   }
 }
 
-void read_tensions(vtkFieldData* data, FilmSet& set) {
+void read_tensions(vtkPolyData* films, FilmSet& set) {
+  vtkFieldData* data = films->GetCellData();
   if (!data->HasArray("FilmTension")) {
     return;
   }
-  const auto count = static_cast<vtkIdType>(set.films.size());
-  const Column tension(data, "FilmTension", count, "film");
-  for (vtkIdType i = 0; i < count; ++i) {
+  const Column tension(data, "FilmTension", films->GetNumberOfLines(), "film");
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(set.films.size()); ++i) {
     set.tensions.push_back(tension.real(i));
   }
 }
@@ -282,9 +307,13 @@ void read_outsides(vtkFieldData* data, FilmSet& set) {
   for (const auto& film : set.films) {
     last = std::min({last, film.left, film.right});
   }
-  const Column pressure(data, "OutsidePressure", -last, "outside");
-  const auto kind = set.surroundings.has_walls() ? Exterior::Kind::Solid : Exterior::Kind::Gas;
-  for (vtkIdType i = 0; i < -last; ++i) {
+  const bool walls = set.surroundings.has_walls();
+  const vtkIdType listed = Column::find(data, "OutsidePressure")->GetNumberOfTuples();
+  // Of walls there may be some on which no film ends.
+  const vtkIdType count = walls ? std::max<vtkIdType>(listed, -last) : -last;
+  const Column pressure(data, "OutsidePressure", count, "outside");
+  const auto kind = walls ? Exterior::Kind::Solid : Exterior::Kind::Gas;
+  for (vtkIdType i = 0; i < count; ++i) {
     set.exteriors.push_back({kind, pressure.real(i)});
   }
 }
@@ -491,7 +520,7 @@ FilmSet read_films(vtkPolyData* films) {
   const auto junction_of = read_junction_ids(films);
   read_junctions(films, junction_of, set);
   read_polylines(films, junction_of, set);
-  read_tensions(films->GetCellData(), set);
+  read_tensions(films, set);
   read_outsides(data, set);
   read_walls(data, coordinate_rounding(films), set);
   return set;

@@ -59,7 +59,9 @@ FilmReading read_drawn_films(vtkPolyData* polylines) {
   }
   vtkDataArray* junction_id = polylines->GetPointData()->GetArray("JunctionId");
   const auto junction = [&](vtkIdType point) {
-    return junction_id ? static_cast<std::int64_t>(junction_id->GetComponent(point, 0)) : point;
+    const std::int64_t id =
+        junction_id ? static_cast<std::int64_t>(junction_id->GetComponent(point, 0)) : point;
+    return id >= 0 ? id : -1 - point; // an end in no junction is alone
   };
 
   reading.films.reserve(static_cast<std::size_t>(count));

@@ -13,7 +13,8 @@ namespace foam {
 
 using Point3 = std::array<double, 3>; ///< cm; VTK's points have three coordinates, the last is 0
 
-/// A foam's films, a polyline for each, in the order of film_set(). The first points are the
+/// A foam's films, a polyline for each, in the order of film_set(); then the pieces of walls on
+/// which no film ends, with no junctions. The first points are the
 /// junctions, which films share. A film that crosses the border of a torus's cell ends in a point
 /// of its own, a whole number of periods from its junction. Points inside arcs follow, each of one
 /// film alone.

@@ -51,11 +51,12 @@ def in_container(container, **properties):
 
 
 def in_outline():
-    """In an octagon, with a square in it."""
+    """In an octagon, with a square in it, and a grain of sand that lies in a bubble."""
     octagon = [(7 * math.cos(k * math.pi / 4), 7 * math.sin(k * math.pi / 4)) for k in range(8)]
     square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     foam = in_container(vtkFoamFromPoints.Outline)
-    foam.SetInputDataObject(1, outlines(octagon, square))
+    sand = [(4, 0), (4.04, 0), (4.02, 0.03)]
+    foam.SetInputDataObject(1, outlines(octagon, square, sand))
     return foam
 
 

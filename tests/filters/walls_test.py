@@ -4,9 +4,9 @@
 import math
 import unittest
 
-from foam_testing import Messages, column, foam_of_points, outlines, points_of, set_properties, single
+from foam_testing import Messages, column, differences_of_foams, outlines, points_of, set_properties, single
 
-from foam.vtkFoamFilters import vtkFoamFromPoints
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints
 
 RECTANGLE, DISC, ANNULUS, CHANNEL, OUTLINE = range(5)
 POINTS = [(0.3, 0.2), (1.6, 0.4), (0.5, 1.4), (1.7, 1.5), (1.1, 0.9)]
@@ -46,6 +46,22 @@ class Walls(unittest.TestCase):
             length = column(films.GetCellData(), "Length")
             self.assertAlmostEqual(length[kind == 0].sum() * 0.5, single(films, "Energy"), 9)
             self.assertTrue((column(films.GetCellData(), "OnBoundary")[kind == 1] == 1).all())
+
+    def test_an_obstacle_in_a_bubble_is_drawn_and_takes_its_area(self):
+        square = [(-1, -1), (3, -1), (3, 3), (-1, 3)]
+        small = [(0.2, 0.1), (0.3, 0.1), (0.3, 0.2)]
+        foam = container(OUTLINE, outlines(square, small))
+        foam.Update()
+        films, bubbles = foam.GetOutput(0), foam.GetOutput(1)
+        self.assertAlmostEqual(column(bubbles.GetCellData(), "Area").sum(), 16 - 0.005, 12)
+        of_obstacle = column(films.GetCellData(), "RightBubble") == -2
+        self.assertEqual(of_obstacle.sum(), 3)
+        self.assertAlmostEqual(column(films.GetCellData(), "Length")[of_obstacle].sum(), 0.2 + 0.1 * 2**0.5, 12)
+        self.assertTrue((column(films.GetCellData(), "Kind")[of_obstacle] == 1).all())
+        again = vtkFoamCoarsen()
+        again.SetInputDataObject(films)
+        again.Update()
+        self.assertEqual(differences_of_foams(again.GetOutput(0), films), [])
 
     def test_a_closed_wall_is_as_long_as_it_is(self):
         foam = container(DISC, points=[(0.1, 0.1), (-0.3, 0.2), (0, -0.5)], ContainerBounds=(-1, 1, -1, 1))

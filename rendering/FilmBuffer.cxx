@@ -26,12 +26,35 @@ template <class... Parts> std::string message(const Parts&... parts) {
   return out.str();
 }
 
-/// The polyline's first and last point.
-std::pair<vtkIdType, vtkIdType> ends_of(vtkCellArray* lines, vtkIdType film) {
+/// Calls visit(film, first point, last point) for what is drawn as one arc: each polyline, in their
+/// order, but of stretches of walls that are no arc the first segment; then the segments that are
+/// left of these. A polyline of fewer than two points has −1 for both.
+template <class Visit> void for_each_arc(vtkPolyData* polylines, const Visit& visit) {
+  vtkCellArray* lines = polylines->GetLines();
+  const vtkIdType count = lines->GetNumberOfCells();
+  vtkCellData* data = polylines->GetCellData();
+  vtkDataArray* kind = data->GetArray("Kind");
+  vtkDataArray* half_angle = data->GetArray("HalfAngle");
+  const bool has_walls = kind && kind->GetNumberOfTuples() == count && half_angle &&
+                         half_angle->GetNumberOfTuples() == count;
+  std::vector<vtkIdType> bent;
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
-  lines->GetCellAtId(film, size, ids);
-  return size < 2 ? std::pair<vtkIdType, vtkIdType>{-1, -1} : std::pair{ids[0], ids[size - 1]};
+  for (vtkIdType film = 0; film < count; ++film) {
+    lines->GetCellAtId(film, size, ids);
+    const bool no_arc = has_walls && size > 2 && kind->GetComponent(film, 0) == 1 &&
+                        half_angle->GetComponent(film, 0) == 0;
+    if (no_arc) {
+      bent.push_back(film);
+    }
+    size < 2 ? visit(film, -1, -1) : visit(film, ids[0], ids[no_arc ? 1 : size - 1]);
+  }
+  for (const vtkIdType film : bent) {
+    lines->GetCellAtId(film, size, ids);
+    for (vtkIdType k = 2; k < size; ++k) {
+      visit(film, ids[k - 1], ids[k]);
+    }
+  }
 }
 
 } // namespace
@@ -65,56 +88,60 @@ FilmReading read_drawn_films(vtkPolyData* polylines) {
   };
 
   reading.films.reserve(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i) {
-    const auto [first, last] = ends_of(lines, i);
+  const auto take = [&](vtkIdType film, vtkIdType first, vtkIdType last) {
+    if (!reading.problem.empty()) {
+      return;
+    }
     if (first < 0) {
-      return problem("film ", i, " has fewer than two points");
+      problem("film ", film, " has fewer than two points");
+      return;
     }
     double a[3], b[3];
     polylines->GetPoint(first, a);
     polylines->GetPoint(last, b);
-    const double alpha = half_angle->GetComponent(i, 0);
+    const double alpha = half_angle->GetComponent(film, 0);
     if (!(std::abs(alpha) < std::numbers::pi)) {
-      return problem("HalfAngle of film ", i, " is ", alpha);
+      problem("HalfAngle of film ", film, " is ", alpha);
+      return;
     }
-    if (i == 0) {
+    if (reading.films.empty()) {
       reading.z = a[2];
     }
     for (const double* p : {a, b}) {
       if (!std::isfinite(p[0] + p[1]) || p[2] != reading.z) {
-        return problem("film ", i, " ends in (", p[0], ", ", p[1], ", ", p[2],
-                       "), which is not in the plane z = ", reading.z);
+        problem("film ", film, " ends in (", p[0], ", ", p[1], ", ", p[2],
+                "), which is not in the plane z = ", reading.z);
+        return;
       }
     }
     reading.films.push_back(
         {{a[0], a[1]}, {b[0], b[1]}, std::tan(alpha / 2), junction(first), junction(last)});
-  }
+  };
+  for_each_arc(polylines, take);
   return reading;
 }
 
 vtkSmartPointer<vtkPolyData> chords_of(vtkPolyData* polylines) {
-  vtkCellArray* polyline_cells = polylines->GetLines();
-  const vtkIdType count = polyline_cells->GetNumberOfCells();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(2 * count);
   vtkNew<vtkCellArray> lines;
-  lines->AllocateExact(count, 2 * count);
   vtkSmartPointer<vtkPolyData> chords = vtkSmartPointer<vtkPolyData>::New();
-  vtkPointData* source = polylines->GetPointData();
-  chords->GetPointData()->CopyAllocate(source, 2 * count);
-  for (vtkIdType i = 0; i < count; ++i) {
-    const auto [first, last] = ends_of(polyline_cells, i);
-    const vtkIdType ids[] = {2 * i, 2 * i + 1};
-    points->SetPoint(ids[0], polylines->GetPoint(first));
-    points->SetPoint(ids[1], polylines->GetPoint(last));
-    chords->GetPointData()->CopyData(source, first, ids[0]);
-    chords->GetPointData()->CopyData(source, last, ids[1]);
-    lines->InsertNextCell(2, ids);
-  }
+  vtkPointData* of_points = chords->GetPointData();
+  vtkCellData* of_films = chords->GetCellData();
+  const vtkIdType count = polylines->GetNumberOfLines();
+  points->Allocate(2 * count);
+  lines->AllocateEstimate(count, 2);
+  of_points->CopyAllocate(polylines->GetPointData(), 2 * count);
+  of_films->CopyAllocate(polylines->GetCellData(), count);
+  for_each_arc(polylines, [&](vtkIdType film, vtkIdType first, vtkIdType last) {
+    const vtkIdType ids[] = {points->InsertNextPoint(polylines->GetPoint(first)),
+                             points->InsertNextPoint(polylines->GetPoint(last))};
+    of_points->CopyData(polylines->GetPointData(), first, ids[0]);
+    of_points->CopyData(polylines->GetPointData(), last, ids[1]);
+    of_films->CopyData(polylines->GetCellData(), film, lines->InsertNextCell(2, ids));
+  });
   chords->SetPoints(points);
   chords->SetLines(lines);
-  chords->GetCellData()->ShallowCopy(polylines->GetCellData());
   chords->GetFieldData()->ShallowCopy(polylines->GetFieldData());
   return chords;
 }

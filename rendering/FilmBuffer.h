@@ -28,10 +28,11 @@ struct FilmReading {
 };
 
 /// Reads each polyline's first and last point, the cell array HalfAngle and, if it is there, the
-/// point array JunctionId; without it, films meet where they share points.
+/// point array JunctionId; without it, films meet where they share points. A stretch of a wall that
+/// is no arc is read segment by segment: its first in its place, the others after all films.
 FilmReading read_drawn_films(vtkPolyData* polylines);
 
-/// A line of two vertices for each film, with the polylines' data.
+/// A line of two vertices for each of them, with the polylines' data.
 vtkSmartPointer<vtkPolyData> chords_of(vtkPolyData* polylines);
 
 /// Texels of a film in the buffer, for this radius of Plateau borders.

@@ -11,8 +11,9 @@ from pathlib import Path
 import matplotlib.image
 import numpy as np
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkIdList
 sys.path.insert(0, str(Path(__file__).parent))
-from pictures import (Messages, arc_length, darkness, distance_to_arc, picture, pixel_centres, pixel_size,
+from pictures import (Messages, add_cell_arrays, arc_length, darkness, distance_to_arc, picture, pixel_centres, pixel_size,
                       polylines, show, source_of, view_of)
 
 simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
@@ -288,6 +289,23 @@ class FilmPictures(unittest.TestCase):
         self.assertGreater(np.abs(lines - before).max(), 0.5)
         display.Representation = "Foam Films"
         self.assertEqual(np.abs(darkness(view) - before).max(), 0)
+
+    def test_walls_are_drawn_round_their_corners(self):
+        corners = [(-0.6, 0.3), (0.1, 0.3), (0.1, -0.5), (0.7, -0.5)]
+        sides = [(*pair, 0.0) for pair in zip(corners, corners[1:])]
+        film = ((-0.6, 0.3), (-0.6, -0.6), 0.0)
+        data = polylines([film])
+        points, line = data.GetPoints(), vtkIdList()
+        for x, y in corners:
+            line.InsertNextId(points.InsertNextPoint(x, y, 0))
+        data.GetLines().InsertNextCell(line)
+        add_cell_arrays(data, {"HalfAngle": [0, 0], "Kind": [0, 1]})
+        view = view_of(scale=1)
+        show(data, view, FilmWidth=4)
+        found = darkness(view)
+        distance = distance_to(view, [film, *sides])
+        self.assertLess(distance[found > 0.5].max(), 2 * 2**0.5 + 0.1)  # corners are pointed
+        self.assertGreater(distance[found < 0.5].min(), 1.9)
 
     def test_selection_finds_films(self):
         view = view_of(scale=2)

@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "../staircase.h"
 #include "construct/containers.h"
 #include "containers.h"
 #include "engines/engines.h"
@@ -121,6 +122,20 @@ TEST(Walls, BambooAndStaircase) {
       filled(channel({0, 3, 0, 1}, WallContact::Slip), double_row, std::vector<double>(6, 0.5));
   expect_equilibrium(stairs);
   EXPECT_NEAR(stairs.energy(), 6 * 0.933012701892, 1e-9);
+}
+
+TEST(Walls, AStaircaseIsInEquilibriumAsItIsBuilt) {
+  for (const double area : {0.1, 0.5, 1.0, 1.7}) {
+    Foam foam = staircase(3, 1, area);
+    expect_valid(foam);
+    const FilmSet before = film_set(foam);
+    equilibrate(foam, 1e-12);
+    expect_equilibrium(foam);
+    EXPECT_NEAR(foam.energy(), 6 * (0.5 + 0.5 * std::sqrt(3.0) * area), 1e-12) << area;
+    for (std::size_t j = 0; j < before.junctions.size(); ++j) {
+      EXPECT_LT(norm(film_set(foam).junctions[j] - before.junctions[j]), 1e-12);
+    }
+  }
 }
 
 /// A Möbius map of the unit disc.

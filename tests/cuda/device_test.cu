@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../newton_on_host.h"
+#include "../staircase.h"
 #include "../two_sided_bubbles.h"
 #include "algebra/device_direct_solver.h"
 #include "coarsening/coarsening.h"
@@ -29,6 +30,7 @@
 #include "thesis/parallel_frame.h"
 #include "thesis/rules.h"
 #include "topology/collapse_operations.h"
+#include "topology/operations.h"
 #include "topology/reservations.h"
 
 namespace foam {
@@ -590,6 +592,45 @@ void newton_frames() {
   }
 }
 
+/// A double row in a channel, of uneven bubbles, some of which have changed neighbours.
+void frames_between_walls() {
+  Foam start = test::staircase(8, 1, 0.5);
+  for (const Index zig_zag : {0, 18}) { // films
+    perform_t1(start, Film(zig_zag));
+  }
+  double sum = 0;
+  for (const Bubble b : start.bubble_slots()) {
+    start.target_area[b] = 0.5 * (1 + 0.1 * (7 * b.index() % 11 - 5));
+    sum += start.target_area[b];
+  }
+  for (double& area : start.target_area) {
+    area *= 8 / sum;
+  }
+  const auto on = [&](Device device) {
+    CoarseningOptions options = options_on(device);
+    options.equilibrator.kind = EquilibratorKind::Newton;
+    options.equilibrator.tolerance = 1e-10;
+    options.thresholds.t1_length = 0.05;
+    options.thresholds.t2_area = 0.05;
+    options.time_step = 0.02;
+    return coarsened(options, start, 30);
+  };
+  const Foam there = on(Device::CUDA);
+  const Foam here = on(Device::CPU);
+  double gas = 0;
+  for (const Bubble b : there.bubble_slots()) {
+    gas += there.has_bubble(b) ? there.area(b) : 0;
+  }
+  EXPECT_NEAR(gas, 8, 1e-9);
+  EXPECT_TRUE(there.report.converged);
+  EXPECT_TRUE(validate(there).empty());
+  EXPECT_GT(here.t1_count, 2);
+  EXPECT_EQ(there.t1_count, here.t1_count);
+  EXPECT_EQ(there.t2_count, here.t2_count);
+  expect_same_topology(there, here);
+  EXPECT_NEAR(there.energy() / here.energy(), 1, 1e-9);
+}
+
 bool without_direct_solver() {
   if (cuda::has_direct_solver()) {
     return false;
@@ -701,6 +742,7 @@ int main(int argc, char** argv) {
       {"newton_repetition", newton_repetition},
       {"newton_abort", newton_abort},
       {"newton_frames", newton_frames},
+      {"frames_between_walls", frames_between_walls},
       {"direct_solver", direct_solver},
       {"direct_repetition", direct_repetition},
       {"direct_frames", direct_frames}};

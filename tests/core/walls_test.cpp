@@ -21,6 +21,31 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// With films swapped only where they are about to vanish.
+void follow(Foam& foam) {
+  EquilibratorOptions options;
+  options.tolerance = 1e-12;
+  make_equilibrator(options)->equilibrate(foam, 1e-4 * foam.mean_spacing(), {});
+  expect_valid(foam);
+  expect_equilibrium(foam);
+}
+
+/// Of the line tension 1, in equilibrium: films in a container.
+Foam between_walls(FilmSet set, const Container& container) {
+  set.surroundings.boundary = Boundary::Container;
+  set.surface_tension = 0.5;
+  for (const Wall& wall : container.walls) {
+    set.exteriors.push_back({.kind = Exterior::Kind::Solid,
+                             .contact = wall.contact,
+                             .first_piece = static_cast<Index>(set.wall_pieces.size()),
+                             .pieces = static_cast<Index>(wall.pieces.size())});
+    set.wall_pieces.insert(set.wall_pieces.end(), wall.pieces.begin(), wall.pieces.end());
+  }
+  Foam foam = foam_of(set);
+  follow(foam);
+  return foam;
+}
+
 // All with the line tension 2γ = 1.
 
 TEST(Walls, BubblesInACornerAreSectors) {
@@ -34,6 +59,15 @@ TEST(Walls, BubblesInACornerAreSectors) {
     expect_equilibrium(foam);
     EXPECT_NEAR(foam.energy(), std::sqrt(2 * angle * 0.1), 1e-10);
   }
+}
+
+TEST(Walls, ABubbleOnAStraightWallIsHalfADisc) {
+  FilmSet set;
+  set.junctions = {{-0.7, 0}, {0.8, 0}};
+  set.films = {{1, 0, 0, 1, 1.2, {}}, {0, 1, 0, -1, 0, {}}, {1, 0, 1, -1, 0, {}}};
+  set.bubbles = {{0, 0, 1}, {1, 0, 99}};
+  const Foam foam = between_walls(set, rectangle({-5, 5, 0, 10}, WallContact::Slip));
+  EXPECT_NEAR(foam.energy(), 2.506628274631, 1e-10);
 }
 
 TEST(Walls, OneFilmAcrossADisc) {
@@ -52,28 +86,16 @@ TEST(Walls, OneFilmAcrossADisc) {
 
 /// Two bubbles side by side on the lower wall of a rectangle, and a large one around them.
 Foam two_on_a_wall(double first, double second) {
-  const Container container = rectangle({-5, 5, 0, 10}, WallContact::Slip);
   FilmSet set;
-  set.surroundings.boundary = Boundary::Container;
-  set.surface_tension = 0.5;
   set.junctions = {{-1.2, 0}, {0, 0}, {1.2, 0}, {0, 0.8}};
   set.films = {{0, 3, 2, 0, -0.4, {}}, {1, 3, 0, 1, 0, {}},  {2, 3, 1, 2, 0.4, {}},
                {0, 1, 0, -1, 0, {}},   {1, 2, 1, -1, 0, {}}, {2, 0, 2, -1, 0, {}}};
   set.bubbles = {{0, 0, first}, {1, 0, second}, {2, 0, 100 - first - second}};
-  set.exteriors = {Exterior{
-      .kind = Exterior::Kind::Solid, .contact = WallContact::Slip, .first_piece = 0, .pieces = 4}};
-  set.wall_pieces = container.walls[0].pieces;
-  Foam foam = foam_of(set);
-  EquilibratorOptions options;
-  options.tolerance = 1e-12;
-  make_equilibrator(options)->equilibrate(foam, 0.01, {});
-  return foam;
+  return between_walls(set, rectangle({-5, 5, 0, 10}, WallContact::Slip));
 }
 
 TEST(Walls, TwoBubblesSideBySideAreHalfOfADoubleBubble) {
   Foam equal = two_on_a_wall(1, 1);
-  expect_valid(equal);
-  expect_equilibrium(equal);
   EXPECT_NEAR(equal.energy(), 6.359129253960 / std::sqrt(2), 1e-10);
   const auto rows = read_csv("double_bubble_unequal.csv");
   ASSERT_FALSE(rows.empty());
@@ -86,6 +108,66 @@ TEST(Walls, TwoBubblesSideBySideAreHalfOfADoubleBubble) {
       EXPECT_NEAR(foam.energy(), number(row, "P_line_tension_1") / 2, 1e-10) << a << ' ' << b;
     }
   }
+}
+
+/// Bubbles of area 1 in a row of the given width each on the lower wall of a rectangle, with one
+/// large bubble above, which has the pressure of a gas. The side walls cut the row in the middle of
+/// bubbles, where by symmetry it goes on for ever.
+Foam row_on_a_wall(double width) {
+  const int whole = 3;
+  const double length = (whole + 1) * width;
+  std::vector<Vec2> points{{0.2 * width, 0.4}};
+  for (int k = 1; k <= whole; ++k) {
+    points.push_back({k * width, 0.4});
+  }
+  points.push_back({length - 0.2 * width, 0.4});
+  points.push_back({0.5 * length, 2.2});
+  const double height = 3;
+  std::vector<double> areas(points.size(), 1);
+  areas[0] = areas[whole + 1] = 0.5;
+  areas.back() = length * height - (whole + 1);
+  return filled(rectangle({0, length, 0, height}, WallContact::Slip), points, areas);
+}
+
+/// How far the films of a row on a wall pull its middle planes together: their tension, less the
+/// excess pressure as high as the row is there.
+double pull_along_row(const Foam& foam) {
+  double height = 0;
+  for (const Junction j : foam.junction_slots()) {
+    if (foam.has_junction(j) && foam.on_wall(j) && foam.position[j].x < 1e-9) {
+      height = std::max(height, foam.position[j].y);
+    }
+  }
+  return 1 - (foam.pressure[Bubble(0)] - foam.pressure[Bubble(foam.bubble_slots().size() - 1)]) *
+                 height;
+}
+
+TEST(Walls, ARowOfBubblesOnAWall) {
+  const Foam row = row_on_a_wall(1);
+  expect_equilibrium(row);
+  const Bubble above(5);
+  for (Index b = 0; b < 5; ++b) {
+    EXPECT_NEAR(row.pressure[Bubble(b)] - row.pressure[above], 1, 1e-10);
+  }
+  EXPECT_NEAR(row.energy(), 4 * 1.956611477491, 1e-10);
+  int upright = 0;
+  for (const Film f : row.film_slots()) {
+    if (row.has_film(f) && !row.wall(f.half()) && row.left(f.half()) != above &&
+        row.right(f.half()) != above) {
+      EXPECT_NEAR(row.length(f.half()), 0.909413926294, 1e-10);
+      ++upright;
+    }
+  }
+  EXPECT_EQ(upright, 4);
+
+  const double best = 1 / std::sqrt(kPi / 6 + std::sqrt(3) / 4);
+  EXPECT_NEAR(best, 1.022426756718, 1e-12);
+  const Foam relaxed = row_on_a_wall(best);
+  expect_equilibrium(relaxed);
+  EXPECT_NEAR(relaxed.energy(), 4 * 1.956130340740, 1e-10);
+  EXPECT_NEAR(pull_along_row(relaxed), 0, 1e-10);
+  EXPECT_GT(row_on_a_wall(best * 1.01).energy(), relaxed.energy());
+  EXPECT_GT(row_on_a_wall(best / 1.01).energy(), relaxed.energy());
 }
 
 TEST(Walls, RadialFilmsOfAnAnnulus) {
@@ -138,6 +220,92 @@ TEST(Walls, AStaircaseIsInEquilibriumAsItIsBuilt) {
   }
 }
 
+/// The same channel, narrower by a factor and so much longer, not in equilibrium.
+Foam narrowed(const Foam& foam, double factor) {
+  const auto map = [&](Vec2 p) { return Vec2{p.x * factor, p.y / factor}; };
+  FilmSet set = film_set(foam);
+  std::ranges::transform(set.junctions, set.junctions.begin(), map);
+  for (WallPiece& piece : set.wall_pieces) {
+    piece = {map(piece.start), map(piece.chord), piece.half_angle};
+  }
+  Lattice& lattice = set.surroundings.lattice;
+  lattice = {map(lattice.origin), map(lattice.first), {}};
+  return foam_of(set);
+}
+
+/// A double row in a channel of width W is stretched until its films to the walls, of length W/2 −
+/// A/(2√3 W), vanish, and the films become bamboo, which stays when all is pushed back, although
+/// below A/W² = 1/√3 it has the greater energy.
+TEST(Walls, TheDoubleRowBecomesBambooAndDoesNotComeBack) {
+  constexpr double kArea = 0.5;
+  constexpr int kBubbles = 6;
+  const double limit = std::sqrt(3);
+  const double crossing = 1 / std::sqrt(3);
+  std::vector<Vec2> points;
+  for (int k = 0; k < kBubbles; ++k) {
+    points.push_back({k * 0.5 + 0.25, k % 2 == 0 ? 0.2 : 0.8});
+  }
+  Foam foam = filled(channel({0, 3, 0, 1}, WallContact::Slip), points,
+                     std::vector<double>(kBubbles, kArea));
+  double ratio = kArea; // A/W²
+  const auto go_to = [&](double next) {
+    foam = narrowed(foam, std::sqrt(next / ratio));
+    ratio = next;
+    follow(foam);
+    return std::sqrt(kArea / ratio); // the width
+  };
+  const auto expect_double_row = [&](double width) {
+    EXPECT_EQ(foam.t1_count, 0) << ratio;
+    EXPECT_NEAR(foam.energy(), kBubbles * (width / 2 + std::sqrt(3) / 2 * kArea / width), 1e-10)
+        << ratio;
+    EXPECT_LT(std::ranges::max(foam.pressure) - std::ranges::min(foam.pressure), 1e-9) << ratio;
+    for (const Film f : foam.film_slots()) {
+      const Half h = f.half();
+      if (!foam.wall(h)) {
+        const bool to_wall = foam.on_wall(foam.start(h)) || foam.on_wall(foam.end(h));
+        const double zigzag = 2 * kArea / (std::sqrt(3) * width);
+        EXPECT_NEAR(foam.length(h), to_wall ? width / 2 - zigzag / 4 : zigzag, 1e-9) << ratio;
+      }
+    }
+  };
+  for (const double next : {0.4, 0.5, crossing, 0.7, 0.9, 1.2, 1.5, 1.7, limit * (1 - 1e-3)}) {
+    expect_double_row(go_to(next));
+    if (next == crossing) {
+      EXPECT_NEAR(foam.energy(), kBubbles * std::sqrt(kArea / crossing), 1e-10);
+    }
+  }
+  double width = go_to(limit * (1 + 1e-3));
+  EXPECT_EQ(foam.t1_count, kBubbles);
+  EXPECT_NEAR(foam.energy(), kBubbles * width, 1e-10);
+  for (const double next : {1.5, 1.2, 0.9, crossing, 0.4}) {
+    width = go_to(next);
+    EXPECT_EQ(foam.t1_count, kBubbles);
+    EXPECT_NEAR(foam.energy(), kBubbles * width, 1e-10);
+  }
+  EXPECT_GT(foam.energy(), kBubbles * (width / 2 + std::sqrt(3) / 2 * kArea / width));
+}
+
+/// Two bubbles fill an annulus between two radial films; a third sits on the obstacle, of radius 1,
+/// under a single film of radius 1. What lies around has one pressure, and the film meets no other.
+TEST(Walls, ABubbleOnADisc) {
+  FilmSet set;
+  set.junctions = {{0, 1}, {0, 4}, {0, -1}, {0, -4}, rotated({1, 0}, -0.6), rotated({1, 0}, 0.6)};
+  set.films = {{0, 1, 1, 0, 0, {}},  {2, 3, 0, 1, 0, {}},  {4, 5, 2, 0, 2, {}},
+               {3, 1, 0, -1, 0, {}}, {1, 3, 1, -1, 0, {}}, {0, 5, 0, -2, 0, {}},
+               {5, 4, 2, -2, 0, {}}, {4, 2, 0, -2, 0, {}}, {2, 0, 1, -2, 0, {}}};
+  const double area = 1 + kPi / 2;
+  set.bubbles = {{0, 0, 7.5 * kPi - area}, {1, 0, 7.5 * kPi}, {2, 0, area}};
+  const Foam foam = between_walls(set, annulus({-4, 4, -4, 4}, 1, WallContact::Slip));
+  EXPECT_EQ(foam.t1_count, 0);
+  const Film arc(2);
+  EXPECT_NEAR(foam.length(arc.half()), 1.5 * kPi, 1e-10);
+  EXPECT_NEAR(foam.energy(), 2 * 3 + 1.5 * kPi, 1e-10);
+  EXPECT_NEAR(arc_curvature(norm(foam.chord(arc.half())), foam.half_angle(arc.half())), 1, 1e-10);
+  EXPECT_NEAR(foam.pressure[Bubble(2)] - foam.pressure[Bubble(0)], 1, 1e-10);
+  EXPECT_NEAR(foam.pressure[Bubble(1)] - foam.pressure[Bubble(0)], 0, 1e-10);
+  EXPECT_NEAR(area_rate(view_of(foam), 1)(Bubble(2)), -(kPi + 2 * std::atan(1)), 1e-9);
+}
+
 /// A Möbius map of the unit disc.
 std::complex<double> moebius(std::complex<double> z, std::complex<double> a) {
   return (z + a) / (1.0 + std::conj(a) * z);
@@ -187,6 +355,31 @@ TEST(Walls, MoebiusMapsOfADiscKeepEquilibria) {
       }
     }
   }
+}
+
+/// Three radii of a disc, mapped so that the middle goes to a on the first of them, which stays
+/// straight; the others become arcs of curvature 2a·sin 120°/(1 − a²).
+TEST(Walls, ThreeMappedRadiiOfADisc) {
+  constexpr double kA = 0.3;
+  const double curvature = 2 * kA * std::sin(2 * kPi / 3) / (1 - kA * kA);
+  EXPECT_NEAR(curvature, 0.571005760737, 1e-12);
+  const std::complex<double> mapped = moebius(std::polar(1.0, 2 * kPi / 3), kA);
+  const Vec2 middle{kA, 0};
+  const Vec2 end{mapped.real(), mapped.imag()};
+  const double d = norm(end - middle);
+  const double half_angle = std::asin(0.5 * curvature * d);
+  const double turn = std::arg(mapped);
+  // From the middle along the first radius, the wall and back along the arc, which bulges out.
+  const double area = 0.5 * cross(middle, Vec2{1, 0}) + 0.5 * turn + 0.5 * cross(end, middle) +
+                      segment_area(d, half_angle);
+  EXPECT_NEAR(area, 0.653363562, 1e-9);
+  Foam foam = filled(disc({-1, 1, -1, 1}, WallContact::Slip), {{0.5, 0.5}, {-0.5, 0}, {0.5, -0.5}},
+                     {area, kPi - 2 * area, area});
+  expect_equilibrium(foam);
+  EXPECT_NEAR(arc_length(d, half_angle), 1.039000714, 1e-9);
+  EXPECT_NEAR(foam.energy(), 1 - kA + 2 * arc_length(d, half_angle), 1e-10);
+  EXPECT_NEAR(foam.pressure[Bubble(0)] - foam.pressure[Bubble(1)], curvature, 1e-10);
+  EXPECT_NEAR(foam.pressure[Bubble(0)] - foam.pressure[Bubble(2)], 0, 1e-10);
 }
 
 /// A channel's foam and its image beyond the lower wall, on a torus. What lies on a wall becomes

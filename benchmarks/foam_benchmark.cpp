@@ -7,24 +7,31 @@
 //                             also as a Surface Evolver file
 //   steps N COUNT             such a foam coarsened, areas + 0.01(n − 6) at mean area 1
 //   frames N COUNT TOLERANCE  a periodic foam of the thesis's scale, coarsened with its constants
+//   walls N COUNT             foams of about N bubbles in a disc and on a torus, a frame of each in
+//                             turn
 //   thesis                    the thesis's test: 2,000 bubbles, 1,000 frames
 //   build N                   a mesh from N random points
 //   memory N                  what a coarsening foam and its factorisation take
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <numbers>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/number.h"
 #include "coarsening/coarsening.h"
+#include "construct/containers.h"
 #include "construct/from_points.h"
 #include "construct/jittered_grid.h"
 #include "engines/engines.h"
@@ -237,6 +244,81 @@ void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundar
   time_frames(work, std::move(foam), options, count, whole);
 }
 
+/// As many bubbles of area 1 as find room in a disc.
+Foam foam_in_disc(Index bubbles) {
+  const double radius = std::sqrt(bubbles / std::numbers::pi);
+  BuildOptions options;
+  options.boundary = Boundary::Container;
+  options.target_areas = TargetAreas::Uniform;
+  options.container = disc({-radius, radius, -radius, radius}, WallContact::Slip);
+  const auto side = static_cast<Index>(std::ceil(2 * radius));
+  std::vector<Vec2> points = jittered_grid(side * side, 1, 1, 1);
+  const Vec2 middle = 0.5 * grid_corner(side * side, 1);
+  for (Vec2& p : points) {
+    p -= middle;
+  }
+  std::erase_if(points, [&](Vec2 p) { return !is_inside(options.container, p); });
+  return build_from_points(points, options);
+}
+
+Foam foam_on_torus(Index bubbles) {
+  const Vec2 corner = grid_corner(bubbles, 1);
+  BuildOptions options;
+  options.boundary = Boundary::Periodic;
+  options.target_areas = TargetAreas::Uniform;
+  options.torus = Lattice::rectangle(0, corner.x, 0, corner.y);
+  return build_from_points(jittered_grid(bubbles, 1, 1, 1), options);
+}
+
+/// What walls cost: two foams take turns, so that both find the machine in the same mood.
+void time_walls(Index bubbles, int count) {
+  for (const Stepping stepping : {Stepping::Events, Stepping::FixedSteps}) {
+    CoarseningOptions options;
+    options.stepping = stepping;
+    struct Run {
+      std::unique_ptr<Coarsening> coarsening;
+      double cpu = 0;
+      std::int64_t events = 0;
+
+      void advance() {
+        const Stopwatch watch;
+        if (!coarsening->advance({}) || !coarsening->foam().report.converged) {
+          throw std::runtime_error("a frame found no equilibrium");
+        }
+        cpu += watch.cpu();
+      }
+      std::int64_t events_so_far() const {
+        const Foam& foam = coarsening->foam();
+        return foam.t1_count + foam.t2_count + foam.t3_count;
+      }
+    };
+    std::array<Run, 2> runs;
+    for (Run& run : runs) {
+      Foam foam = &run == runs.data() ? foam_in_disc(bubbles) : foam_on_torus(bubbles);
+      make_equilibrator({})->equilibrate(foam, 0.025, {});
+      run.coarsening = make_coarsening(options);
+      run.coarsening->restart(std::move(foam));
+      run.advance(); // which has a factorisation to make
+      run.cpu = 0;
+      run.events = -run.events_so_far();
+    }
+    for (int frame = 0; frame < count; ++frame) {
+      std::ranges::for_each(runs, &Run::advance);
+    }
+    const auto& [disc, torus] = runs;
+    Record(stepping == Stepping::Events ? "walls" : "walls_in_fixed_steps")
+        .add("bubbles_in_disc", disc.coarsening->foam().bubble_count())
+        .add("bubbles_on_torus", torus.coarsening->foam().bubble_count())
+        .add("frames", count)
+        .add("events_in_disc", disc.events + disc.events_so_far())
+        .add("events_on_torus", torus.events + torus.events_so_far())
+        .add("cpu_per_frame_in_disc", disc.cpu / count)
+        .add("cpu_per_frame_on_torus", torus.cpu / count)
+        .add("ratio", disc.cpu / torus.cpu)
+        .print();
+  }
+}
+
 void time_build(Index points) {
   for (const Boundary boundary : {Boundary::Free, Boundary::Periodic}) {
     const double side = std::sqrt(points);
@@ -295,6 +377,8 @@ int main(int argc, char** argv) {
       time_steps(count(1), count(2));
     } else if (work == "frames") {
       time_thesis_frames(work, count(1), Boundary::Periodic, count(2), number(3));
+    } else if (work == "walls") {
+      time_walls(count(1), count(2));
     } else if (work == "thesis") {
       time_thesis_frames(work, 2000, Boundary::Free, 1000, 1e-9);
     } else if (work == "build") {

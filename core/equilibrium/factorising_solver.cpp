@@ -24,8 +24,8 @@ constexpr double kFirstShift = 1e-3;
 constexpr double kLargestShift = 1e4;
 
 /// Negative pivots beyond the constraints' that need no shift: so close to a stationary point, be
-/// it a saddle, that Newton's own step leads there, all. One is a free foam's rotation: it costs
-/// nothing in equilibrium, near it a little more or less, and is taken out of every step.
+/// it a saddle, that Newton's own step leads there, all. One is the rotation of a foam that turns:
+/// it costs nothing in equilibrium, near it a little more or less, and is taken out of every step.
 Index surplus(const Foam& foam, const Residual& residual) {
   if (residual.largest() < kStationaryBelow) {
     return kAnyEquilibrium;

@@ -90,8 +90,10 @@ bool NewtonMatrix::assemble(const Foam& foam, const Region& region, double shift
               -kRegularisation * spacing * spacing * spacing / tension);
   diagonal_ = regularisation_;
   const bool pinned = region.whole && shift == 0;
-  if (pinned && foam.surroundings.translates()) {
+  if (pinned && foam.surroundings.translates_along_x()) {
     diagonal_[0] += tension / spacing;
+  }
+  if (pinned && foam.surroundings.translates_along_y()) {
     diagonal_[1] += tension / spacing;
   }
   if (pinned && foam.surroundings.closed()) {

@@ -30,8 +30,10 @@ void level(std::span<double> numbers, std::size_t first, std::size_t stride) {
 /// foam, a gain of a closed container's gas.
 void balance(const Surroundings& surroundings, const Unknowns& unknowns, std::span<double> load) {
   const auto coordinates = place_of(unknowns.first_pressure());
-  if (surroundings.translates()) {
+  if (surroundings.translates_along_x()) {
     level(load.first(coordinates), 0, 2);
+  }
+  if (surroundings.translates_along_y()) {
     level(load.first(coordinates), 1, 2);
   }
   if (surroundings.closed()) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What costs a foam nothing: in closed surroundings a common pressure, as only differences of
-// pressure act there; and motions of the whole, which nothing but a wall resists, on a torus but
-// for rotations. On an executor (parallel/host.h).
+// pressure act there; and motions of the whole, which nothing but a wall resists, and that only
+// where it does not take the wall to itself; on a torus but for rotations. On an executor
+// (parallel/host.h).
 #pragma once
 
 #include "algebra/displacements.h"
@@ -52,7 +53,8 @@ struct RigidMeans {
 template <class Executor>
 void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Domain& domain,
                          double* moved) {
-  if (!domain.whole || !mesh.surroundings.translates()) {
+  const Surroundings& around = mesh.surroundings;
+  if (!domain.whole || !(around.translates_along_x() || around.rotates())) {
     return;
   }
   const Elements<Junction> junctions = domain.junctions;
@@ -69,14 +71,17 @@ void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Do
                              : RigidMeans{};
       },
       parallel::Add{});
+  const Vec2 translation{around.translates_along_x() ? means.translation.x : 0,
+                         around.translates_along_y() ? means.translation.y : 0};
+  const Vec2 centre = around.has_walls() ? around.centre : means.centre;
   double rotation = 0;
-  if (mesh.surroundings.rotates()) {
+  if (around.rotates()) {
     // In x the moment of all displacements, in y the moment of inertia.
     const Vec2 moment = executor.reduce(
         size, Vec2{},
         FOAM_KERNEL(Index i) {
           const Junction j = junctions[i];
-          const Vec2 r = mesh.position[j] - means.centre;
+          const Vec2 r = mesh.position[j] - centre;
           return mesh.moves(j) ? Vec2{cross(r, displacement(moved, i)), dot(r, r)} : Vec2{};
         },
         parallel::Add{});
@@ -86,8 +91,8 @@ void remove_rigid_motion(Executor& executor, const ConstFoamView& mesh, const Do
       size, FOAM_KERNEL(Index i) {
         const Junction j = junctions[i];
         if (mesh.moves(j)) {
-          const Vec2 r = mesh.position[j] - means.centre;
-          const Vec2 rigid = means.translation + rotation * left_normal(r);
+          const Vec2 r = mesh.position[j] - centre;
+          const Vec2 rigid = translation + rotation * left_normal(r);
           set_displacement(moved, i, displacement(moved, i) - rigid);
         }
       });

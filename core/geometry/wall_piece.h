@@ -21,13 +21,13 @@ struct WallPiece {
   FOAM_HOST_DEVICE double length() const { return arc_length(norm(chord), half_angle); }
   /// By which its tangent turns to the left per length, 1/cm.
   FOAM_HOST_DEVICE double curvature() const { return arc_curvature(norm(chord), half_angle); }
-  FOAM_HOST_DEVICE Vec2 point(double place) const {
-    return place == 0 ? start : arc_point(start, chord, half_angle, place / length());
-  }
-  /// Of its circle. \pre curvature() is not 0
+  /// Of the circle that it lies on. \pre it is not straight
   FOAM_HOST_DEVICE Vec2 centre() const {
     return start + 0.5 * chord +
            (std::cos(half_angle) / curvature() / norm(chord)) * left_normal(chord);
+  }
+  FOAM_HOST_DEVICE Vec2 point(double place) const {
+    return place == 0 ? start : arc_point(start, chord, half_angle, place / length());
   }
   /// Of length 1.
   FOAM_HOST_DEVICE Vec2 tangent(double place) const {

@@ -6,6 +6,32 @@
 #include "mesh/element_measures.h"
 
 namespace foam {
+namespace {
+
+/// \pre a wall of one piece is a line along x
+WallSymmetry symmetry_of(const std::vector<Wall>& walls) {
+  constexpr double kSame = 1e-9; // of a radius
+  const auto are_all = [&](const auto& are) {
+    return std::ranges::all_of(walls, [&](const Wall& wall) {
+      return wall.contact == WallContact::Slip && are(wall.pieces);
+    });
+  };
+  if (are_all([](const std::vector<WallPiece>& pieces) { return pieces.size() == 1; })) {
+    return WallSymmetry::Line;
+  }
+  const WallPiece& first = walls[0].pieces[0];
+  const auto has_its_centre = [&](const WallPiece& piece) {
+    return piece.half_angle != 0 &&
+           norm(piece.centre() - first.centre()) * std::abs(first.curvature()) < kSame;
+  };
+  return first.half_angle != 0 && are_all([&](const std::vector<WallPiece>& pieces) {
+           return std::ranges::all_of(pieces, has_its_centre);
+         })
+             ? WallSymmetry::Circle
+             : WallSymmetry::None;
+}
+
+} // namespace
 
 Index Foam::bubble_count() const {
   return static_cast<Index>(std::ranges::count_if(bubble_half, [](Half h) { return h != kNone; }));
@@ -107,6 +133,9 @@ void Foam::set_walls(const std::vector<Wall>& walls) {
     exterior.push_back(solid);
   }
   find_pieces();
+  surroundings.wall_symmetry = symmetry_of(walls);
+  surroundings.centre =
+      surroundings.wall_symmetry == WallSymmetry::Circle ? walls[0].pieces[0].centre() : Vec2{};
 }
 
 void Foam::find_pieces() {

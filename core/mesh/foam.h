@@ -118,7 +118,8 @@ struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
   void make_room(Index films, Index junctions);
   /// Takes surroundings without walls, with outsides of pressure 0.
   void surround(const Surroundings& with);
-  /// Takes walls, each closed and with the foam on its left, as solid outsides.
+  /// Takes walls, each closed and with the foam on its left, as solid outsides, and finds their
+  /// symmetry.
   void set_walls(const std::vector<Wall>& walls);
   /// Makes the first outside a container of the shape that the films beside it have, on which films
   /// are pinned. \pre these are straight

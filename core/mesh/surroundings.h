@@ -82,10 +82,19 @@ private:
   double curvature_;
 };
 
+/// The motions of a whole foam that take its walls to themselves, and along which films slip.
+enum class WallSymmetry : std::uint8_t {
+  None,
+  Line,  ///< along x, in a channel
+  Circle ///< round a centre, in a disc or an annulus
+};
+
 /// Of a foam as a whole.
 struct Surroundings {
   Boundary boundary = Boundary::Free;
   Lattice lattice; ///< of a torus; of a channel its first period alone; unused otherwise
+  WallSymmetry wall_symmetry = WallSymmetry::None;
+  Vec2 centre{}; ///< of walls that are circles, cm
 
   FOAM_HOST_DEVICE bool periodic() const { return boundary == Boundary::Periodic; }
   /// Whether some outside is solid.
@@ -98,9 +107,14 @@ struct Surroundings {
   }
   /// Whether the sum of the bubbles' areas is given: a common pressure is felt by nobody then.
   FOAM_HOST_DEVICE bool closed() const { return boundary != Boundary::Free; }
-  /// Whether the foam moves as a whole, or turns, at no cost.
-  FOAM_HOST_DEVICE bool translates() const { return !has_walls(); }
-  FOAM_HOST_DEVICE bool rotates() const { return boundary == Boundary::Free; }
+  /// Whether the foam moves as a whole at no cost, along x or y, or turns.
+  FOAM_HOST_DEVICE bool translates_along_x() const {
+    return !has_walls() || wall_symmetry == WallSymmetry::Line;
+  }
+  FOAM_HOST_DEVICE bool translates_along_y() const { return !has_walls(); }
+  FOAM_HOST_DEVICE bool rotates() const {
+    return boundary == Boundary::Free || wall_symmetry == WallSymmetry::Circle;
+  }
 
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 };

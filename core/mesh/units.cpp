@@ -77,6 +77,9 @@ FoamRecord in_units(const FoamRecord& record, const UnitChange& change) {
   if (record.surroundings.has_images()) {
     result.surroundings.lattice = in_units(record.surroundings.lattice, change);
   }
+  if (record.surroundings.wall_symmetry == WallSymmetry::Circle) {
+    result.surroundings.centre = change.place(record.surroundings.centre);
+  }
   result.surface_tension *= change.tension;
   if (result.ended) {
     result.ended->area *= change.area();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "containers.h"
 #include "equilibrium/factorising_solver.h"
 #include "foams.h"
 #include "physics/gas.h"
@@ -51,9 +52,8 @@ WholeRates whole_response(const Foam& foam, const Field<Bubble, double>& area_ra
 
 class Response : public testing::TestWithParam<Boundary> {};
 
-/// Central differences of equilibria.
-TEST_P(Response, IsTheEquilibriumsDerivative) {
-  Foam foam = random_foam(40, GetParam());
+/// Fails unless the response is the central difference of equilibria.
+void expect_derivative(Foam foam, const std::string& where = {}) {
   equilibrate(foam, 1e-13);
   const Field<Bubble, double> area_rate = area_rates(foam, kPermeability);
   const WholeRates rates = whole_response(foam, area_rate);
@@ -64,7 +64,7 @@ TEST_P(Response, IsTheEquilibriumsDerivative) {
       moved.target_area[b] += time * area_rate[b];
     }
     equilibrate(moved, 1e-13);
-    EXPECT_EQ(moved.topology, foam.topology);
+    EXPECT_EQ(moved.topology, foam.topology) << where;
     return moved;
   };
   const Foam after = later(dt);
@@ -83,10 +83,43 @@ TEST_P(Response, IsTheEquilibriumsDerivative) {
     largest = std::max(largest, std::abs(found));
     difference = std::max(difference, std::abs(found - expected));
     const double turned = (after.half_angle(h) - before.half_angle(h)) / (2 * dt);
-    EXPECT_NEAR(rates.angles[f], turned, 1e-4 * (1 + std::abs(turned)));
+    EXPECT_NEAR(rates.angles[f], turned, 1e-4 * (1 + std::abs(turned))) << where;
   }
-  EXPECT_GT(largest, 0);
-  EXPECT_LT(difference, 1e-4 * largest);
+  EXPECT_GT(largest, 0) << where;
+  EXPECT_LT(difference, 1e-4 * largest) << where;
+}
+
+TEST_P(Response, IsTheEquilibriumsDerivative) {
+  expect_derivative(random_foam(40, GetParam()));
+}
+
+TEST(ResponseBetweenWalls, IsTheEquilibriumsDerivative) {
+  for (const auto& [name, container] : containers()) {
+    expect_derivative(random_foam_in(container, 40, 3), name);
+  }
+}
+
+/// Nothing holds a foam in a disc or an annulus that turns, or one that moves along a channel.
+TEST(ResponseBetweenWalls, HasNoMotionOfTheWhole) {
+  for (const auto& [name, container] : containers()) {
+    const Foam foam = random_foam_in(container, 40, 3);
+    const Surroundings& around = foam.surroundings;
+    EXPECT_EQ(around.translates_along_x(), name == "channel") << name;
+    EXPECT_FALSE(around.translates_along_y()) << name;
+    EXPECT_EQ(around.rotates(), name == "disc" || name == "annulus") << name;
+    const WholeRates rates = whole_response(foam, area_rates(foam, kPermeability));
+    double along = 0;
+    double round = 0;
+    double all = 0;
+    for (const Junction j : foam.junction_slots()) {
+      const Vec2 rate = rates.junctions[j];
+      along += rate.x;
+      round += cross(foam.position[j], rate);
+      all += norm(rate) * (1 + norm(foam.position[j]));
+    }
+    EXPECT_LT(around.translates_along_x() ? std::abs(along) : 0, 1e-9 * all) << name;
+    EXPECT_LT(around.rotates() ? std::abs(round) : 0, 1e-9 * all) << name;
+  }
 }
 
 /// Central differences of rates. Those of a foam of one tension, away from walls, stay.

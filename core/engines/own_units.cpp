@@ -38,12 +38,14 @@ void change_units(std::vector<BubbleStatistics>& bubbles, const UnitChange& chan
     bubble.target_area *= change.area();
     bubble.pressure *= change.pressure();
     bubble.perimeter *= change.length;
+    bubble.stress = change.pressure() * bubble.stress;
   }
 }
 
 void change_units(FoamStatistics& statistics, const UnitChange& change) {
   statistics.mean_area *= change.area();
   statistics.energy *= change.energy();
+  statistics.stress = change.pressure() * statistics.stress;
   change_units(statistics.each, change);
 }
 

@@ -197,17 +197,19 @@ bool FactorisingSolver::solve(const Foam& foam, std::span<double> change, std::v
 
 const StepView* FactorisingSolver::response(const Foam& foam,
                                             const Field<Bubble, double>& area_rate,
-                                            const Rates& expected, double drift) {
+                                            const Rates& expected, double drift,
+                                            const Tensor& flow) {
   assembled_ = false;
-  const StepView* step = adapt(foam) ? respond(foam, area_rate, expected, drift) : nullptr;
+  const StepView* step = adapt(foam) ? respond(foam, area_rate, expected, drift, flow) : nullptr;
   if (step == nullptr && factorise(foam, kAnyEquilibrium)) {
-    step = respond(foam, area_rate, expected, kAnyDrift);
+    step = respond(foam, area_rate, expected, kAnyDrift, flow);
   }
   return step;
 }
 
 const StepView* FactorisingSolver::respond(const Foam& foam, const Field<Bubble, double>& area_rate,
-                                           const Rates& expected, double drift) {
+                                           const Rates& expected, double drift,
+                                           const Tensor& flow) {
   const Unknowns& unknowns = matrix_.unknowns();
   std::vector<double> change(place_of(unknowns.count()), 0.0);
   std::vector<double> rest(change.size(), 0.0);
@@ -224,16 +226,44 @@ const StepView* FactorisingSolver::respond(const Foam& foam, const Field<Bubble,
       }
     }
   }
+  std::vector<double> angle_load(region_.films.size(), 0.0);
+  if (flow != Tensor{}) {
+    add_strain(foam, flow, rest, angle_load);
+  }
   if (drift == kAnyDrift) {
     factorisation_.solve(rest);
     std::ranges::transform(change, rest, change.begin(), std::plus<>());
   } else if (!solve(foam, change, rest, drift)) {
     return nullptr;
   }
-  const std::vector<double> balanced(region_.films.size(), 0.0);
   response_.fit(view_of(foam));
-  extract(foam, change, balanced, expected, response_);
+  extract(foam, change, angle_load, expected, response_);
   return &view_;
+}
+
+/// What a flow L does to the gradient of the Lagrangian, −∂²L/∂u∂γ to the load and ∂²φ/∂α∂γ to that
+/// of the half-angles. It changes a chord D by δ = L·D, as if the ends moved by ∓½δ, were it not
+/// for the polygons of their bubbles: of −q·½(D_y, −D_x), a film's part in the gradient at either
+/// end, that has but the half.
+void FactorisingSolver::add_strain(const Foam& foam, const Tensor& flow, std::span<double> load,
+                                   std::span<double> angle_load) const {
+  constexpr std::size_t kAngle = FilmLagrangian::kAngle;
+  for (std::size_t i = 0; i < region_.films.size(); ++i) {
+    const Half h = region_.films[i].half();
+    const Vec2 half = 0.5 * (flow * foam.chord(h));
+    const FilmLagrangian::Each<double> change{-half.x, -half.y, half.x, half.y, 0, 0, 0};
+    const FilmMatrix& share = matrix_.shares()[i];
+    subtract_product(share, change, load);
+    const Vec2 polygon = 0.5 * foam.pressure_difference(h) * Vec2{half.y, -half.x};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (share.unknown[k] != kNone) {
+        load[place_of(share.unknown[k])] += k % 2 == 0 ? polygon.x : polygon.y;
+      }
+      if (share.unknown[kAngle] == kNone) {
+        angle_load[i] += share.value[kAngle * (kAngle + 1) / 2 + k] * change[k];
+      }
+    }
+  }
 }
 
 /// \param angle_gradient that the change is to bring to zero, by place in region_.films

@@ -11,6 +11,7 @@
 #include "equilibrium/evaluation.h"
 #include "equilibrium/newton_matrix.h"
 #include "equilibrium/reused_factorisation.h"
+#include "geometry/tensor.h"
 #include "parallel/host.h"
 #include "physics/rates.h"
 
@@ -50,9 +51,11 @@ public:
   /// faster than at `drift` (1/s, of dimensionless residuals, areas in units of the mean); where
   /// that takes too long, the present matrix is factorised and its solution taken as it is.
   /// \param expected how what is held moves, and with what the iteration begins
+  /// \param flow velocity gradient, without a trace, 1/s, with which a torus is strained meanwhile:
+  /// the rates of junctions are then those beside what it moves them by
   /// \returns nothing if the foam has no definite response.
   const StepView* response(const Foam& foam, const Field<Bubble, double>& area_rate,
-                           const Rates& expected, double drift);
+                           const Rates& expected, double drift, const Tensor& flow = {});
 
 private:
   bool assemble(const Foam& foam, double shift);
@@ -62,7 +65,9 @@ private:
   std::vector<double> load(const Foam& foam, const Evaluation<Host>& state) const;
   bool solve(const Foam& foam, std::span<double> change, std::vector<double>& rest, double limit);
   const StepView* respond(const Foam& foam, const Field<Bubble, double>& area_rate,
-                          const Rates& expected, double drift);
+                          const Rates& expected, double drift, const Tensor& flow);
+  void add_strain(const Foam& foam, const Tensor& flow, std::span<double> load,
+                  std::span<double> angle_load) const;
   std::vector<double> weights(const Foam& foam) const;
   void extract(const Foam& foam, std::span<double> change, std::span<const double> angle_gradient,
                const Rates& held, Step<Host>& step);

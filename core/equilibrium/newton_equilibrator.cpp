@@ -194,11 +194,12 @@ bool NewtonEquilibrator::relax_patch_to(double tolerance, Foam& foam,
 
 const newton::StepView* NewtonEquilibrator::response(const Foam& foam,
                                                      const Field<Bubble, double>& area_rate,
-                                                     const Rates& expected, double drift) {
+                                                     const Rates& expected, double drift,
+                                                     const Tensor& flow) {
   if (!whole_.fits(foam)) {
     whole_.set_up(foam, whole_foam(foam));
   }
-  return whole_.response(foam, area_rate, expected, drift);
+  return whole_.response(foam, area_rate, expected, drift, flow);
 }
 
 const newton::StepView* NewtonEquilibrator::patch_response(const Foam& foam,

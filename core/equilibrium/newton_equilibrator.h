@@ -35,11 +35,11 @@ public:
   /// Iterations of the last call.
   int iterations() const { return iterations_; }
 
-  /// How a foam in equilibrium moves while its target areas change
+  /// How a foam in equilibrium moves while its target areas change, or a torus is strained
   /// (newton::FactorisingSolver::response); null if it has no definite response. Of the elements of
   /// region().
   const newton::StepView* response(const Foam& foam, const Field<Bubble, double>& area_rate,
-                                   const Rates& expected, double drift);
+                                   const Rates& expected, double drift, const Tensor& flow = {});
   const Region& region() const { return whole_.region(); }
   /// The same of the last patch and patch_region(). \param around how the rest of the foam moves
   const newton::StepView* patch_response(const Foam& foam, const Field<Bubble, double>& area_rate,

@@ -18,6 +18,7 @@
 #include <numbers>
 
 #include "geometry/host_device.h"
+#include "geometry/tensor.h"
 #include "geometry/vec2.h"
 
 namespace foam {
@@ -105,6 +106,27 @@ FOAM_HOST_DEVICE inline double arc_length(double chord, double alpha) {
 /// Signed area (cm²) between the arc and its chord, > 0 on the left bubble's account.
 FOAM_HOST_DEVICE inline double segment_area(double chord, double alpha) {
   return chord * chord * arc_shape(alpha).g;
+}
+
+/// ∫t⊗t ds along the arc with its tangent t, cm: with the unit vector u along the chord
+/// d·[cos α·u⊗u + ½(f − cos α)·I].
+FOAM_HOST_DEVICE inline SymmetricTensor arc_tangents(Vec2 chord, double alpha) {
+  const double d = norm(chord);
+  const double c = std::cos(alpha);
+  return (c / d) * square(chord) + isotropic(0.5 * d * (arc_shape(alpha).f - c));
+}
+
+/// How that changes, cm. \param change of the chord, cm \param turn of α, rad
+FOAM_HOST_DEVICE inline SymmetricTensor arc_tangents_change(Vec2 chord, Vec2 change, double alpha,
+                                                            double turn) {
+  const double d = norm(chord);
+  const double growth = dot(chord, change) / d;
+  const double c = std::cos(alpha);
+  const double s = std::sin(alpha);
+  const ArcShape shape = arc_shape(alpha);
+  return (c / d) * twice_product(chord, change) -
+         ((s * turn + c * growth / d) / d) * square(chord) +
+         isotropic(0.5 * (growth * (shape.f - c) + d * (shape.f1 + s) * turn));
 }
 
 /// Curvature (1/cm) of the arc, with the sign of α.

@@ -53,8 +53,9 @@ struct PresentBubble {
 
 /// What takes long to compute of an arc, and is asked for by both of its sides.
 struct ArcMeasures {
-  double length = 0;  ///< cm
-  double segment = 0; ///< area between arc and chord as seen from the film's half(), cm²
+  double length = 0;    ///< cm
+  double segment = 0;   ///< area between arc and chord as seen from the film's half(), cm²
+  SymmetricTensor pull; ///< T·∫t⊗t ds, N; 0 of a wall
 };
 
 struct MeasureArc {
@@ -66,12 +67,13 @@ struct MeasureArc {
   FOAM_HOST_DEVICE void operator()(Film film) const {
     if (mesh.has_film(film)) {
       if (mesh.wall(film.half())) {
-        arcs[film] = {mesh.length(film.half()), mesh.segment(film)};
+        arcs[film] = {mesh.length(film.half()), mesh.segment(film), {}};
         return;
       }
-      const double chord = norm(mesh.chord(film.half()));
+      const Vec2 chord = mesh.chord(film.half());
       const double alpha = mesh.half_angle(film.half());
-      arcs[film] = {arc_length(chord, alpha), segment_area(chord, alpha)};
+      arcs[film] = {arc_length(norm(chord), alpha), segment_area(norm(chord), alpha),
+                    mesh.tension(film) * arc_tangents(chord, alpha)};
     }
   }
 };
@@ -102,7 +104,12 @@ struct RecordBubble {
     record.target_area = mesh.target_area[bubble];
     record.pressure = mesh.pressure[bubble];
     record.sides = mesh.sides[bubble];
-    for_each_half(mesh, bubble, [&](Half h) { record.perimeter += arcs[h.film()].length; });
+    for_each_half(mesh, bubble, [&](Half h) {
+      const ArcMeasures& arc = arcs[h.film()];
+      record.perimeter += arc.length;
+      record.stress += (mesh.right(h).is_outside() ? 1.0 : 0.5) * arc.pull;
+    });
+    record.stress = (1 / record.area) * record.stress - isotropic(record.pressure);
     record.on_boundary = mesh.bubble_on_outside(bubble);
     records[i] = record;
   }

@@ -10,6 +10,7 @@
 #include "parallel/kernels.h"
 #include "statistics/bubble_records.h"
 #include "statistics/statistics.h"
+#include "statistics/stress.h"
 
 namespace foam {
 
@@ -107,6 +108,7 @@ public:
     FoamStatistics result = averages(by_sides);
     result.energy = records_.energy(mesh);
     result.each = records_.fetch_records();
+    result.stress = mean_stress(result.each);
     return result;
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/tensor.h"
 #include "mesh/foam.h"
 
 namespace foam {
@@ -17,6 +18,7 @@ struct BubbleStatistics {
   Index sides = 0;
   double perimeter = 0; ///< cm
   bool on_boundary = false;
+  SymmetricTensor stress; ///< σ, N/cm², tension positive; see statistics/stress.h
 };
 
 /// The bubbles with n sides.
@@ -29,7 +31,7 @@ struct SideStatistics {
 };
 
 /// A foam in figures (thesis 2.6). Averages leave out bubbles beside an outside unless told
-/// otherwise; energy is the whole foam's. Averages over no bubble are NaN.
+/// otherwise; energy and stress are the whole foam's. Averages over no bubble are NaN.
 struct FoamStatistics {
   Index bubbles = 0;
   double mean_sides = 0;
@@ -37,6 +39,7 @@ struct FoamStatistics {
   double mean_area = 0;          ///< cm²
   double area_second_moment = 0; ///< ⟨A²⟩/⟨A⟩²
   double energy = 0;             ///< N
+  SymmetricTensor stress;        ///< of the whole foam, N/cm²; see statistics/stress.h
   double aboav = 0; ///< Aboav–Weaire's a, from a count-weighted linear fit of n·m(n)
   std::vector<SideStatistics> by_sides; ///< ascending, only n that occur
   std::vector<BubbleStatistics> each;   ///< in ascending order of id

@@ -52,7 +52,7 @@ CoarseningOptions thesis_options() {
 }
 
 /// The thesis's method and constants.
-std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
+std::unique_ptr<Evolution> coarsening_on(Device device, Foam foam) {
   CoarseningOptions options = thesis_options();
   options.topological_algorithm = TopologicalAlgorithm::Simultaneous;
   options.equilibrator.kind = EquilibratorKind::Junction;
@@ -63,7 +63,7 @@ std::unique_ptr<Coarsening> coarsening_on(Device device, Foam foam) {
 }
 
 /// Frames with Newton's method, and the thesis's thresholds.
-std::unique_ptr<Coarsening> newton_on(Device device, double tolerance, Foam foam,
+std::unique_ptr<Evolution> newton_on(Device device, double tolerance, Foam foam,
                                       LinearSolver solver = LinearSolver::Iterative) {
   CoarseningOptions options = thesis_options();
   options.stepping = Stepping::FixedSteps;
@@ -105,7 +105,7 @@ double difference(const Foam& a, const Foam& b) {
 }
 
 /// The same foam on both, frame by frame.
-void compare(const std::unique_ptr<Coarsening>& there, const std::unique_ptr<Coarsening>& here,
+void compare(const std::unique_ptr<Evolution>& there, const std::unique_ptr<Evolution>& here,
              int frames) {
   const Index bubbles = here->foam().bubble_count();
   double seconds_there = 0;

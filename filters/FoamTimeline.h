@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "coarsening/coarsening.h"
+#include "coarsening/options.h"
+#include "evolution/evolution.h"
 #include "mesh/film_set.h"
 
 namespace foam::filters {
@@ -31,7 +32,7 @@ private:
   std::size_t limit_ = 0;
 };
 
-/// A coarsening foam that can be asked for any frame, in any order. Composes a Coarsening.
+/// A coarsening foam that can be asked for any frame, in any order. Composes an Evolution.
 ///
 /// Frame 0 is the foam that it begins with. Going forward advances; going back, or forward over a
 /// keyframe, starts from that keyframe and replays. At every interval-th frame the coarsening
@@ -85,7 +86,7 @@ private:
 
   FilmSet start_;
   Settings settings_;
-  std::unique_ptr<Coarsening> coarsening_;
+  std::unique_ptr<Evolution> coarsening_;
   Keyframes keyframes_;
   int frame_ = 0;
   bool interrupted_ = false; ///< what the coarsening keeps between frames may not be as it was

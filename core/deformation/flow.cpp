@@ -2,24 +2,43 @@
 #include "deformation/flow.h"
 
 namespace foam {
+namespace {
+
+/// Of a cell, that a junction may lie outside it.
+constexpr double kFar = 0.5;
+
+bool is_far(Vec2 coordinates) {
+  const auto far = [](double x) { return x < -kFar || x > 1 + kFar; };
+  return far(coordinates.x) || far(coordinates.y);
+}
+
+} // namespace
 
 void strain(Foam& foam, const Tensor& deformation) {
   Lattice& lattice = foam.surroundings.lattice;
-  lattice = {deformation * lattice.origin, deformation * lattice.first,
-             deformation * lattice.second};
+  lattice.first = deformation * lattice.first;
+  lattice.second = deformation * lattice.second;
   for (Vec2& place : foam.position) {
-    place = deformation * place;
+    place = lattice.origin + deformation * (place - lattice.origin);
   }
 }
 
 void make_compact(Foam& foam) {
-  const ReducedLattice compact = reduced(foam.surroundings.lattice);
-  if (compact.lattice == foam.surroundings.lattice) {
-    return;
+  Lattice& lattice = foam.surroundings.lattice;
+  if (const ReducedLattice compact = reduced(lattice); compact.lattice != lattice) {
+    lattice = compact.lattice;
+    for (Wrap& wrap : foam.film_wrap) {
+      wrap = compact.wrap(wrap);
+    }
   }
-  foam.surroundings.lattice = compact.lattice;
-  for (Wrap& wrap : foam.film_wrap) {
-    wrap = compact.wrap(wrap);
+  for (const Junction j : foam.junction_slots()) {
+    if (foam.has_junction(j) && is_far(lattice.coordinates(foam.position[j]))) {
+      const Wrap cell = lattice.cell_of(foam.position[j]);
+      foam.position[j] -= lattice.period(cell);
+      for (const Half h : foam.junction_half[j]) {
+        foam.set_wrap(h, foam.wrap(h) - cell);
+      }
+    }
   }
 }
 

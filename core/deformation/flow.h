@@ -18,11 +18,12 @@ inline Tensor velocity_gradient(DeformationKind kind) {
   return kind == DeformationKind::SimpleShear ? Tensor{0, 1, 0, 0} : Tensor{1, 0, 0, -1};
 }
 
-/// Strains a torus by F: its periods and the places of its junctions. Half-angles and pressures
-/// stay, so that it is out of equilibrium.
+/// Strains a torus by F about its lattice's origin: its periods and the places of its junctions.
+/// Half-angles and pressures stay, so that it is out of equilibrium.
 void strain(Foam& foam, const Tensor& deformation);
 
-/// Describes a torus by its shortest periods (reduced); the foam stays where it is.
+/// Describes a torus by its shortest periods (reduced), and by images of its junctions that are not
+/// far from its cell. The foam stays where it is.
 void make_compact(Foam& foam);
 
 } // namespace foam

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "coarsening/event_coarsening.h"
 #include "coarsening/newton_frame_coarsening.h"
+#include "deformation/torus_deformation.h"
 #include "engines/accelerator.h"
 #include "engines/own_units.h"
 #include "equilibrium/newton_equilibrator.h"
@@ -21,7 +22,7 @@ std::unique_ptr<Equilibrator> equilibrator_here(const EquilibratorOptions& optio
   return std::make_unique<NewtonEquilibrator>(options);
 }
 
-std::unique_ptr<Coarsening> coarsening_here(const CoarseningOptions& options) {
+std::unique_ptr<Evolution> coarsening_here(const CoarseningOptions& options) {
   if (options.equilibrator.kind == EquilibratorKind::Junction) {
     return std::make_unique<FrameCoarsening>(options, make_equilibrator(options.equilibrator));
   }
@@ -44,7 +45,7 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
       unit_steps(options.kind));
 }
 
-std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
+std::unique_ptr<Evolution> make_coarsening(const CoarseningOptions& options) {
   check(options);
   const Method& method = method_for(Method::Work::Coarsening, options);
   const Device device = options.equilibrator.device;
@@ -59,6 +60,14 @@ std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options) {
           return coarsening_here(its);
         }
         return accelerator != nullptr ? accelerator->make_coarsening(its) : coarsening_here(its);
+      });
+}
+
+std::unique_ptr<Evolution> make_deformation(const DeformationOptions& options) {
+  check(options);
+  return std::make_unique<OwnUnitsDeformation>(
+      options, [](const DeformationOptions& asked, const Foam& /*foam*/) {
+        return std::make_unique<TorusDeformation>(asked);
       });
 }
 

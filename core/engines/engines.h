@@ -3,8 +3,10 @@
 
 #include <memory>
 
-#include "coarsening/coarsening.h"
+#include "coarsening/options.h"
+#include "deformation/options.h"
 #include "equilibrium/equilibrator.h"
+#include "evolution/evolution.h"
 
 namespace foam {
 
@@ -15,6 +17,9 @@ std::unique_ptr<Equilibrator> make_equilibrator(const EquilibratorOptions& optio
 /// The coarsening that goes with the equilibrator: for Newton from one topological event to the
 /// next, or in fixed steps; for Junction the thesis's frame (Figures 3.13 and 4.8).
 /// \throws FoamError for options out of range, or a device that is not there.
-std::unique_ptr<Coarsening> make_coarsening(const CoarseningOptions& options);
+std::unique_ptr<Evolution> make_coarsening(const CoarseningOptions& options);
+
+/// What deforms a torus. \throws FoamError for options out of range.
+std::unique_ptr<Evolution> make_deformation(const DeformationOptions& options);
 
 } // namespace foam

@@ -19,6 +19,20 @@ CoarseningOptions in_units(CoarseningOptions options, const UnitChange& change) 
   return options;
 }
 
+/// The options in a foam's own units, noted in the foam as it comes.
+CoarseningOptions prepared(const CoarseningOptions& asked, Foam& foam, const UnitChange& own) {
+  CoarseningOptions options = in_units(asked, own);
+  options.time_step = foam.time_step = time_step(asked, foam, foam.mean_area());
+  foam.growth_constant = von_neumann_constant(foam.surface_tension, asked.permeability);
+  return options;
+}
+
+/// Strains are the same in any units.
+DeformationOptions prepared(const DeformationOptions& asked, Foam& /*foam*/,
+                            const UnitChange& /*own*/) {
+  return asked;
+}
+
 void multiply(std::vector<double>& values, double factor) {
   for (double& value : values) {
     value *= factor;
@@ -102,21 +116,20 @@ EquilibriumReport OwnUnitsEquilibrator::equilibrate(Foam& foam, double t1_length
   return equilibrator_->equilibrate(foam, own.length * t1_length, aborted);
 }
 
-OwnUnitsCoarsening::OwnUnitsCoarsening(const CoarseningOptions& options, Make make)
+template <class Options>
+OwnUnitsEvolution<Options>::OwnUnitsEvolution(const Options& options, Make make)
     : options_(options), make_(std::move(make)) {}
 
-void OwnUnitsCoarsening::restart(Foam foam) {
+template <class Options> void OwnUnitsEvolution<Options>::restart(Foam foam) {
   const UnitChange own = own_units(foam, unit_steps(options_.equilibrator.kind));
-  CoarseningOptions options = in_units(options_, own);
-  options.time_step = foam.time_step = time_step(options_, foam, foam.mean_area());
-  foam.growth_constant = von_neumann_constant(foam.surface_tension, options_.permeability);
+  const Options options = prepared(options_, foam, own);
   change_units(foam, own);
   const bool obstacles = has_obstacles(foam);
   const bool alike = options == its_options_ && obstacles == has_obstacles_;
-  auto anew = coarsening_ && alike ? nullptr : make_(options, foam);
-  (anew ? *anew : *coarsening_).restart(std::move(foam));
+  auto anew = evolution_ && alike ? nullptr : make_(options, foam);
+  (anew ? *anew : *evolution_).restart(std::move(foam));
   if (anew) {
-    coarsening_ = std::move(anew);
+    evolution_ = std::move(anew);
     its_options_ = options;
     has_obstacles_ = obstacles;
   }
@@ -124,42 +137,46 @@ void OwnUnitsCoarsening::restart(Foam foam) {
   foam_.reset();
 }
 
-bool OwnUnitsCoarsening::advance(const AbortCheck& aborted) {
+template <class Options> bool OwnUnitsEvolution<Options>::advance(const AbortCheck& aborted) {
   foam_.reset();
-  return coarsening_->advance(aborted);
+  return evolution_->advance(aborted);
 }
 
-const Foam& OwnUnitsCoarsening::foam() const {
+template <class Options> const Foam& OwnUnitsEvolution<Options>::foam() const {
   if (own_.changes_nothing()) {
-    return coarsening_->foam();
+    return evolution_->foam();
   }
   if (!foam_) {
-    foam_ = coarsening_->foam();
+    foam_ = evolution_->foam();
     change_units(*foam_, own_.inverse());
   }
   return *foam_;
 }
 
-const FoamRecord& OwnUnitsCoarsening::record() const {
-  record_ = in_units(coarsening_->record(), own_.inverse());
+template <class Options> const FoamRecord& OwnUnitsEvolution<Options>::record() const {
+  record_ = in_units(evolution_->record(), own_.inverse());
   return record_;
 }
 
-SampledFoam OwnUnitsCoarsening::sample(double chord_error) {
+template <class Options> SampledFoam OwnUnitsEvolution<Options>::sample(double chord_error) {
   if (own_.shift != Vec2{}) { // a place in between that is not a junction would be rounded twice
     return foam::sample(foam(), chord_error);
   }
-  SampledFoam sampled = coarsening_->sample(own_.length * chord_error);
+  SampledFoam sampled = evolution_->sample(own_.length * chord_error);
   if (!own_.changes_nothing()) {
     change_units(sampled, own_.inverse());
   }
   return sampled;
 }
 
-FoamStatistics OwnUnitsCoarsening::statistics(bool include_boundary) {
-  FoamStatistics result = coarsening_->statistics(include_boundary);
+template <class Options>
+FoamStatistics OwnUnitsEvolution<Options>::statistics(bool include_boundary) {
+  FoamStatistics result = evolution_->statistics(include_boundary);
   change_units(result, own_.inverse());
   return result;
 }
+
+template class OwnUnitsEvolution<CoarseningOptions>;
+template class OwnUnitsEvolution<DeformationOptions>;
 
 } // namespace foam

@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 
-#include "coarsening/coarsening.h"
+#include "coarsening/options.h"
+#include "deformation/options.h"
 #include "equilibrium/equilibrator.h"
+#include "evolution/evolution.h"
 #include "mesh/units.h"
 
 namespace foam {
@@ -31,30 +33,36 @@ private:
 };
 
 /// The units, and an automatic time step, are those of the foam that it begins with, until it
-/// begins anew.
-class OwnUnitsCoarsening final : public Coarsening {
+/// begins anew. \tparam Options of what evolves.
+template <class Options> class OwnUnitsEvolution final : public Evolution {
 public:
   /// For a foam such as the one given.
-  using Make = std::function<std::unique_ptr<Coarsening>(const CoarseningOptions&, const Foam&)>;
+  using Make = std::function<std::unique_ptr<Evolution>(const Options&, const Foam&)>;
 
-  OwnUnitsCoarsening(const CoarseningOptions& options, Make make);
+  OwnUnitsEvolution(const Options& options, Make make);
 
   void restart(Foam foam) override;
   bool advance(const AbortCheck& aborted) override;
   const Foam& foam() const override;
+  double frame_time() const override { return evolution_->frame_time(); }
   const FoamRecord& record() const override;
   SampledFoam sample(double chord_error) override;
   FoamStatistics statistics(bool include_boundary) override;
 
 private:
-  CoarseningOptions options_;
+  Options options_;
   Make make_;
   UnitChange own_;
-  std::unique_ptr<Coarsening> coarsening_;
-  CoarseningOptions its_options_; ///< coarsening_'s
-  bool has_obstacles_ = false;    ///< the foam that it was made for
+  std::unique_ptr<Evolution> evolution_;
+  Options its_options_;        ///< evolution_'s
+  bool has_obstacles_ = false; ///< the foam that it was made for
   mutable std::optional<Foam> foam_;
   mutable FoamRecord record_;
 };
+
+extern template class OwnUnitsEvolution<CoarseningOptions>;
+extern template class OwnUnitsEvolution<DeformationOptions>;
+using OwnUnitsCoarsening = OwnUnitsEvolution<CoarseningOptions>;
+using OwnUnitsDeformation = OwnUnitsEvolution<DeformationOptions>;
 
 } // namespace foam

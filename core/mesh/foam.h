@@ -73,6 +73,8 @@ struct FoamRecord {
   double time_step = 0;       ///< with which it coarsens, s; 0 if it has not begun to
   double growth_constant = 0; ///< von Neumann's K with which it does, cm²/s
   Thresholds thresholds;      ///< in force in the time step that is to come
+  double strain = 0;          ///< by which a torus has been deformed
+  int strain_direction = 0;   ///< ±1, in which its strain goes; 0 if it has not been
 
   friend bool operator==(const FoamRecord&, const FoamRecord&) = default;
 };

@@ -381,7 +381,7 @@ Foam foam_of_own_tensions(Index bubbles, std::uint64_t seed) {
 
 class OwnTensions : public testing::TestWithParam<Stepping> {
 protected:
-  static std::unique_ptr<Coarsening> coarsening_of(const Foam& foam, double time_step) {
+  static std::unique_ptr<Evolution> coarsening_of(const Foam& foam, double time_step) {
     CoarseningOptions options = thesis_options();
     options.stepping = GetParam();
     options.time_step = time_step;

@@ -62,8 +62,8 @@ inline CoarseningOptions coarsening_options(Stepping stepping, const Scale& scal
   return options;
 }
 
-inline std::unique_ptr<Coarsening> coarsened(Foam foam, const CoarseningOptions& options,
-                                             int frames = 20) {
+inline std::unique_ptr<Evolution> coarsened(Foam foam, const CoarseningOptions& options,
+                                            int frames = 20) {
   auto coarsening = make_coarsening(options);
   coarsening->restart(std::move(foam));
   for (int frame = 0; frame < frames; ++frame) {

@@ -391,7 +391,7 @@ void equilibrator() {
 }
 
 /// A foam that has lost bubbles, on both sides.
-std::unique_ptr<Coarsening> coarsened_there() {
+std::unique_ptr<Evolution> coarsened_there() {
   auto coarsening = make_coarsening(options_on(Device::CUDA));
   coarsening->restart(disordered());
   for (int frame = 0; frame < 3; ++frame) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFoamEquilibratingAlgorithm.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -11,12 +12,23 @@
 #include "FoamWriting.h"
 #include "Message.h"
 #include "PipelineRequest.h"
+#include "engines/engines.h"
 #include "equilibrium/options.h"
+#include "physics/equilibrium_measures.h"
+#include "physics/obstacle.h"
 
 namespace {
 
 /// Seconds between two reports of progress.
 constexpr double POLL_INTERVAL = 0.1;
+
+/// T1 threshold of the first equilibration, in mean spacings.
+constexpr double T1_LENGTH = 0.05;
+
+/// How far a foam is from equilibrium: angles (rad) and areas (relative).
+double Residual(const foam::Foam& foam) {
+  return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
+}
 
 } // namespace
 
@@ -84,6 +96,31 @@ void vtkFoamEquilibratingAlgorithm::WriteOutputs(const foam::SampledFoam& sample
 void vtkFoamEquilibratingAlgorithm::ClearOutputs(vtkInformationVector* outputs) {
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
     vtkPolyData::GetData(outputs, port)->Initialize();
+  }
+}
+
+void vtkFoamEquilibratingAlgorithm::BringToEquilibrium(foam::Foam& foam, bool equilibrate) {
+  const auto equilibrator = foam::make_equilibrator(*this->Options);
+  if (!equilibrate) {
+    return;
+  }
+  // The part of the way that the residual has fallen, on a logarithmic scale.
+  const double first = Residual(foam);
+  const double way = std::log(first / this->Options->tolerance);
+  double progress = 0;
+  const auto aborted = [&] {
+    progress = std::max(progress, std::min(1.0, std::log(first / Residual(foam)) / way));
+    return this->PollAbort(progress);
+  };
+  try {
+    equilibrator->equilibrate(foam, T1_LENGTH * foam.mean_spacing(), aborted);
+    if (!foam.report.converged) {
+      vtkWarningMacro("The foam did not reach equilibrium: residual "
+                      << foam.report.residual << " after " << foam.report.iterations
+                      << " iterations. What stands in the way: " << foam::obstacle(foam) << ".");
+    }
+  } catch (const foam::Aborted&) {
+    // What there is of the foam is shown.
   }
 }
 

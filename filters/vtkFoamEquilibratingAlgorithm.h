@@ -9,7 +9,7 @@
  * Publication: B. K. Vedel-Larsen, Quasi-static Simulation of Foam in the Vertex Model, University
  * of Copenhagen, 2010.
  *
- * @sa vtkFoamFromPoints vtkFoamCoarsen
+ * @sa vtkFoamFromPoints vtkFoamCoarsen vtkFoamEvolverReader
  */
 #ifndef vtkFoamEquilibratingAlgorithm_h
 #define vtkFoamEquilibratingAlgorithm_h
@@ -23,6 +23,7 @@
 #ifndef __VTK_WRAP__
 namespace foam {
 struct EquilibratorOptions;
+struct Foam;
 struct SampledFoam;
 } // namespace foam
 #endif
@@ -189,6 +190,11 @@ protected:
   const foam::EquilibratorOptions& GetEquilibratorOptions() const {
     return *this->Options;
   }
+
+  /// Brings a foam to equilibrium, if it is to be, reporting progress; warns if that fails, and
+  /// leaves what there is of it when aborted.
+  /// \throws std::exception for properties of the equilibrator that are out of range, in any case
+  void BringToEquilibrium(foam::Foam& foam, bool equilibrate);
 
   /// Writes a foam to the two outputs.
   void WriteOutputs(const foam::SampledFoam& sampled, vtkInformationVector* outputs);

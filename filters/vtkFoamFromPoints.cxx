@@ -25,9 +25,7 @@
 #include "PipelineRequest.h"
 #include "construct/containers.h"
 #include "construct/from_points.h"
-#include "engines/engines.h"
 #include "physics/equilibrium_measures.h"
-#include "physics/obstacle.h"
 #include "sampling/sampled_foam.h"
 
 vtkStandardNewMacro(vtkFoamFromPoints);
@@ -38,9 +36,6 @@ using foam::filters::fail;
 
 /// Largest difference in z, relative to the extents in x and y.
 constexpr double PLANE_TOLERANCE = 1e-9;
-
-/// T1 threshold of the first equilibration, in mean spacings.
-constexpr double T1_LENGTH = 0.05;
 
 std::vector<foam::Vec2> ReadPoints(vtkPointSet* input) {
   const vtkIdType count = input->GetNumberOfPoints();
@@ -204,11 +199,6 @@ std::vector<std::vector<foam::Vec2>> ReadOutlines(vtkInformationVector* walls) {
   return outlines;
 }
 
-/// How far a foam is from equilibrium: angles (rad) and areas (relative).
-double Residual(const foam::Foam& foam) {
-  return std::max(foam::max_angle_error(foam), foam::max_area_error(foam));
-}
-
 } // namespace
 
 using ThisClass = vtkFoamFromPoints;
@@ -284,7 +274,7 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
   foam::Foam foam = foam::build_from_points(points, options);
   this->WarnIfScaled(foam, options);
   foam.report = foam::measured_report(foam);
-  this->BringToEquilibrium(foam);
+  this->BringToEquilibrium(foam, this->Equilibrate);
   this->WriteOutputs(foam::sample(foam, this->GetChordError()), outputs);
 }
 
@@ -297,31 +287,6 @@ void vtkFoamFromPoints::WarnIfScaled(const foam::Foam& foam, const foam::BuildOp
   const double filled = std::accumulate(foam.target_area.begin(), foam.target_area.end(), 0.0);
   if (const auto told = foam::filters::told_scaling(sum, filled / sum); !told.empty()) {
     vtkWarningMacro(<< told);
-  }
-}
-
-void vtkFoamFromPoints::BringToEquilibrium(foam::Foam& foam) {
-  const auto equilibrator = foam::make_equilibrator(this->GetEquilibratorOptions());
-  if (!this->Equilibrate) {
-    return;
-  }
-  // The part of the way that the residual has fallen, on a logarithmic scale.
-  const double first = Residual(foam);
-  const double way = std::log(first / this->GetTolerance());
-  double progress = 0;
-  const auto aborted = [&] {
-    progress = std::max(progress, std::min(1.0, std::log(first / Residual(foam)) / way));
-    return this->PollAbort(progress);
-  };
-  try {
-    equilibrator->equilibrate(foam, T1_LENGTH * foam.mean_spacing(), aborted);
-    if (!foam.report.converged) {
-      vtkWarningMacro("The foam did not reach equilibrium: residual "
-                      << foam.report.residual << " after " << foam.report.iterations
-                      << " iterations. What stands in the way: " << foam::obstacle(foam) << ".");
-    }
-  } catch (const foam::Aborted&) {
-    // What there is of the foam is shown.
   }
 }
 

@@ -193,7 +193,6 @@ private:
 
 #ifndef __VTK_WRAP__
   void WarnIfScaled(const foam::Foam& foam, const foam::BuildOptions& options);
-  void BringToEquilibrium(foam::Foam& foam);
 #endif
 
   double PeriodicBounds[4] = {0, 0, 0, 0};

@@ -123,6 +123,18 @@ def series(run):
     return side_by_side(parts, 5)
 
 
+def evolver():
+    """A datafile, as it is and in equilibrium."""
+    scene = Scene((460, 460), (5, 5), 11.5)
+    parts = []
+    for caption, equilibrate in (("as Surface Evolver's file has it", 0), ("Equilibrate on", 1)):
+        path = ROOT / "tests/data/evolver-100/foam100_arc.fe"
+        show_foam(scene, FoamEvolverReader(FileName=str(path), Equilibrate=equilibrate))
+        parts.append((caption, scene.picture()))
+        HideAll(scene.view)
+    return with_colours_of_sides(side_by_side(parts, 2))
+
+
 def statistics(run):
     measured = FoamStatistics(Input=run)
     measured.UpdatePipeline(2)
@@ -175,7 +187,7 @@ if __name__ == "__main__":
     folder = Path(sys.argv[1])
     run = periodic_run()
     for name, made in (("proxy_points", points), ("proxy_from_points", from_points),
-                       ("proxy_containers", containers),
+                       ("proxy_containers", containers), ("proxy_evolver", evolver),
                        ("proxy_coarsen", lambda: coarsen(run)), ("proxy_series", lambda: series(run)),
                        ("proxy_statistics", lambda: statistics(run)), ("proxy_ensemble", ensemble)):
         made().save(folder / f"{name}.png")

@@ -49,6 +49,8 @@ class Outputs(unittest.TestCase):
         os.chdir(folder.name)
         for proxy in ("FoamPoints", "FoamFromPoints", "FoamCoarsen", "FoamStatistics", "FoamSeriesWriter"):
             run_blocks(proxy, cls.names)
+        run_blocks("FoamEvolverWriter", cls.names)
+        run_blocks("FoamEvolverReader", cls.names)  # of the file that the writer's page has made
         cls.names["films"] = [cls.names["foam"], FoamFromPoints(Input=FoamPoints(NumberOfPoints=60, Seed=2))]
         run_blocks("FoamEnsembleStatistics", cls.names)
 

@@ -4,11 +4,13 @@
 import os
 import pydoc
 import unittest
+from pathlib import Path
 
 from paraview import servermanager, simple
 
 import foam.vtkFoamFilters  # lets Python see the filters behind the proxies
 
+REFERENCE = Path(__file__).resolve().parents[1] / "data/evolver-100/foam100_arc.fe"
 simple.LoadPlugin(os.environ["FOAM_PLUGIN"], remote=False, ns=globals())
 
 EQUILIBRATOR = {
@@ -30,12 +32,13 @@ PROXIES = {
     "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area",
                     "Thresholds", "Alpha", "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
+    "FoamEvolverReader": {"Equilibrate", *EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary"},
     "FoamEnsembleStatistics": {"IncludeBoundary"},
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray", "Walls"},
-    "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"},
+    "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"}, "FoamEvolverReader": {"FileName"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
@@ -49,13 +52,15 @@ CHOICES = {
                     "Stepping": ["Events", "FixedSteps"],
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
+    "FoamEvolverReader": EQUILIBRATOR_CHOICES,
     "FoamStatistics": {},
     "FoamEnsembleStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
-         "FoamCoarsen": ["Films", "Bubbles"],
+         "FoamCoarsen": ["Films", "Bubbles"], "FoamEvolverReader": ["Films", "Bubbles"],
          "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
          "FoamEnsembleStatistics": None}
+SOURCES = {"FoamPoints", "FoamEvolverReader"}
 JUNCTION_ONLY = {"TopologicalAlgorithm", "Sweep", "RootSearch", "EnergyDecay", "OrientationInvariant",
                  "Damping", "FiniteDifferenceStep", "JacobianTolerance", "PressureTolerance",
                  "PositionTolerance", "MinimumScale"}
@@ -71,7 +76,9 @@ class Proxies(unittest.TestCase):
         members = simple.GroupDatasets(Input=[statistics], OutputType="vtkPartitionedDataSet")
         cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
                        "FoamStatistics": statistics, "FoamEnsembleStatistics": FoamEnsembleStatistics(Input=members)}
-        cls.writer = simple.CreateWriter("series.pvd", coarsen)
+        cls.proxies["FoamEvolverReader"] = simple.OpenDataFile(str(REFERENCE))
+        cls.writers = {"FoamSeriesWriter": simple.CreateWriter("series.pvd", coarsen),
+                       "FoamEvolverWriter": simple.CreateWriter("foam.fe", coarsen)}
 
     def test_no_other_properties(self):
         for name, properties in PROXIES.items():
@@ -89,8 +96,17 @@ class Proxies(unittest.TestCase):
                 self.assertEqual(values, [getattr(filter_class, entry) for entry in entries], (name, key))
 
     def test_series_writer(self):
-        self.assertEqual({name: self.writer.GetPropertyValue(name) for name in self.writer.ListProperties()
+        writer = self.writers["FoamSeriesWriter"]
+        self.assertEqual({name: writer.GetPropertyValue(name) for name in writer.ListProperties()
                           if name not in ("Input", "FileName")}, {"WriteTimeSteps": 1, "Append": 0})
+
+    def test_files_open_and_save_by_their_extensions(self):
+        for kind, proxies in (("Reader", self.proxies), ("Writer", self.writers)):
+            self.assertEqual(proxies[f"FoamEvolver{kind}"].SMProxy.GetXMLName(), f"FoamEvolver{kind}")
+        writers = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+        coarsen = self.proxies["FoamCoarsen"].SMProxy
+        types = [writers.GetSupportedFileTypes(coarsen, port) for port in (0, 1)]
+        self.assertEqual(["Surface Evolver(*.fe )" in found for found in types], [True, False])
 
     def test_ports(self):
         for name, ports in PORTS.items():
@@ -100,7 +116,7 @@ class Proxies(unittest.TestCase):
                 self.assertEqual(found, ports, name)
 
     def test_documentation(self):
-        for name, proxy in {**self.proxies, "FoamSeriesWriter": self.writer}.items():
+        for name, proxy in {**self.proxies, **self.writers}.items():
             text = proxy.SMProxy.GetDocumentation()
             for words in (text.GetDescription(), text.GetShortHelp(), text.GetLongHelp()):
                 self.assertGreater(len(words or ""), 15, name)
@@ -149,11 +165,13 @@ class Proxies(unittest.TestCase):
 
     def test_menu(self):
         for name, proxy in self.proxies.items():
+            if name == "FoamEvolverReader":
+                continue  # File > Open has it
             menu = proxy.SMProxy.GetHints().FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Foam", name)
 
     def test_properties_that_only_sometimes_matter_are_hidden(self):
-        for name in ("FoamFromPoints", "FoamCoarsen"):
+        for name in ("FoamFromPoints", "FoamCoarsen", "FoamEvolverReader"):
             for key in PROXIES[name]:
                 hints = self.proxies[name].GetProperty(key).SMProperty.GetHints()
                 decorators = [hints.GetNestedElement(i) for i in range(
@@ -176,7 +194,7 @@ class Proxies(unittest.TestCase):
     def test_properties_reach_the_filters(self):
         """Every property, set to another value, is there in the VTK object."""
         for name, properties in PROXIES.items():
-            proxy = servermanager.CreateProxy("sources" if name == "FoamPoints" else "filters", name)
+            proxy = servermanager.CreateProxy("sources" if name in SOURCES else "filters", name)
             proxy.UpdateVTKObjects()
             vtk_object = proxy.GetClientSideObject()
             for key in properties:

@@ -276,7 +276,7 @@ void time_walls(Index bubbles, int count) {
     CoarseningOptions options;
     options.stepping = stepping;
     struct Run {
-      std::unique_ptr<Coarsening> coarsening;
+      std::unique_ptr<Evolution> coarsening;
       double cpu = 0;
       std::int64_t events = 0;
 

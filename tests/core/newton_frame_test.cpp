@@ -265,7 +265,7 @@ TEST(NewtonFrame, IsNewtonsCoarseningAtFixedSteps) {
   const Foam start = random_foam(50, Boundary::Free, 1);
   NewtonFrameCoarsening expected(frames());
   const auto made = make_coarsening(frames());
-  for (Coarsening* coarsening : {static_cast<Coarsening*>(&expected), made.get()}) {
+  for (Evolution* coarsening : {static_cast<Evolution*>(&expected), made.get()}) {
     coarsening->restart(start);
     EXPECT_TRUE(coarsening->advance({}));
   }

@@ -64,7 +64,7 @@ std::unique_ptr<Evolution> coarsening_on(Device device, Foam foam) {
 
 /// Frames with Newton's method, and the thesis's thresholds.
 std::unique_ptr<Evolution> newton_on(Device device, double tolerance, Foam foam,
-                                      LinearSolver solver = LinearSolver::Iterative) {
+                                     LinearSolver solver = LinearSolver::Iterative) {
   CoarseningOptions options = thesis_options();
   options.stepping = Stepping::FixedSteps;
   options.equilibrator.device = device;

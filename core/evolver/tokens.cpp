@@ -40,19 +40,16 @@ Tokens::Tokens(std::string text, std::function<std::string(const std::string&)> 
 }
 
 const Token& Tokens::peek(std::size_t ahead) {
-  while (first_ahead_ + ahead >= ahead_.size()) {
+  while (ahead >= ahead_.size()) {
     ahead_.push_back(scan());
   }
-  return ahead_[first_ahead_ + ahead];
+  return ahead_[ahead];
 }
 
 Token Tokens::take() {
   peek();
-  Token token = std::move(ahead_[first_ahead_++]);
-  if (first_ahead_ == ahead_.size()) {
-    ahead_.clear();
-    first_ahead_ = 0;
-  }
+  Token token = std::move(ahead_.front());
+  ahead_.pop_front();
   return token;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <string>
@@ -81,8 +82,7 @@ private:
   std::function<std::string(const std::string&)> include_;
   std::vector<Source> sources_;
   std::map<std::string, std::string, std::less<>> macros_; ///< by name, as it is written
-  std::vector<Token> ahead_;
-  std::size_t first_ahead_ = 0;
+  std::deque<Token> ahead_; ///< where looking farther leaves in place what has been looked at
   int line_ = 1;
   int expansions_ = 0;
   bool line_begins_ = true;

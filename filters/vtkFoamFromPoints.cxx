@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -23,6 +22,7 @@
 
 #include "Message.h"
 #include "PipelineRequest.h"
+#include "PlanePoints.h"
 #include "construct/containers.h"
 #include "construct/from_points.h"
 #include "physics/equilibrium_measures.h"
@@ -33,35 +33,6 @@ vtkStandardNewMacro(vtkFoamFromPoints);
 namespace {
 
 using foam::filters::fail;
-
-/// Largest difference in z, relative to the extents in x and y.
-constexpr double PLANE_TOLERANCE = 1e-9;
-
-std::vector<foam::Vec2> ReadPoints(vtkPointSet* input) {
-  const vtkIdType count = input->GetNumberOfPoints();
-  std::vector<foam::Vec2> points(static_cast<std::size_t>(count));
-  std::vector<double> heights(points.size());
-  const double limit = std::numeric_limits<double>::max();
-  double xmin = limit, xmax = -limit, ymin = limit, ymax = -limit;
-  for (vtkIdType i = 0; i < count; ++i) {
-    double p[3];
-    input->GetPoint(i, p);
-    points[static_cast<std::size_t>(i)] = {p[0], p[1]};
-    heights[static_cast<std::size_t>(i)] = p[2];
-    xmin = std::min(xmin, p[0]);
-    xmax = std::max(xmax, p[0]);
-    ymin = std::min(ymin, p[1]);
-    ymax = std::max(ymax, p[1]);
-  }
-  const double tolerance = PLANE_TOLERANCE * std::max(xmax - xmin, ymax - ymin);
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (!std::isfinite(heights[i]) || std::abs(heights[i] - heights[0]) > tolerance) {
-      fail("the points must lie in a plane of constant z: z of point ", i, " is ", heights[i],
-           ", of point 0 ", heights[0]);
-    }
-  }
-  return points;
-}
 
 std::vector<double> ReadTargetAreas(vtkPointSet* input, const std::string& name) {
   if (name.empty()) {
@@ -255,7 +226,7 @@ void vtkFoamFromPoints::MakeFoam(vtkInformation*, vtkInformationVector** inputs,
       input->GetCellData()->HasArray("LeftBubble")) {
     fail("the input is the films of a foam, not points: FoamCoarsen and FoamStatistics take films");
   }
-  const std::vector<foam::Vec2> points = ReadPoints(input);
+  const std::vector<foam::Vec2> points = foam::filters::plane_points(input);
   foam::BuildOptions options = *this->Options;
   if (options.boundary == foam::Boundary::Periodic) {
     options.torus = ReadTorus(input, this->PeriodicBounds, this->PeriodVectors, points);

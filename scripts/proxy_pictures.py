@@ -135,6 +135,47 @@ def evolver():
     return with_colours_of_sides(side_by_side(parts, 2))
 
 
+def polygons():
+    """Polygons, and the foam of them."""
+    bubbles = OutputPort(FoamFromPoints(Input=FoamPoints(NumberOfPoints=64, Seed=5), Equilibrate=0), 1)
+    scene = Scene((460, 460), (4, 4), 11)
+    show_bubbles(bubbles, scene.view)
+    scene.show(ExtractEdges(Input=bubbles), "Wireframe", LineWidth=2)
+    parts = [("polygons", scene.picture())]
+    HideAll(scene.view)
+    show_foam(scene, FoamFromPolygons(Input=bubbles))
+    return with_colours_of_sides(side_by_side([*parts, ("FoamFromPolygons", scene.picture())], 2))
+
+
+def labels():
+    """A picture of the regions that are nearest to points in a disc, and the foam of it."""
+    random = np.random.default_rng(3)
+    sites = random.uniform(-1, 1, (400, 2))
+    sites = sites[np.hypot(*sites.T) < 0.9][:110]
+    y, x = np.mgrid[-1.1:1.1:150j, -1.1:1.1:150j]
+    nearest = np.argmin((x[..., None] - sites[:, 0])**2 + (y[..., None] - sites[:, 1])**2, axis=-1) + 1
+    image = vtkImageData()
+    image.SetDimensions(151, 151, 1)
+    array = numpy_to_vtk(np.where(np.hypot(x, y) < 1, nearest, 0).ravel(), deep=True)
+    array.SetName("labels")
+    image.GetCellData().SetScalars(array)
+    picture = TrivialProducer()
+    picture.GetClientSideObject().SetOutput(image)
+    scene = Scene((370, 370), (75, 75), 152)
+    shades = random.uniform(0.55, 1, (9, 3))
+    colours = GetColorTransferFunction("labels")
+    colours.RGBPoints = [v for i in range(0, 111) for v in (i, *(shades[i % 9] if i else (1, 1, 1)))]
+    scene.show(picture, "Surface", ColorArrayName=["CELLS", "labels"], LookupTable=colours,
+               Ambient=1, Diffuse=0)
+    parts = [("the picture", scene.picture())]
+    HideAll(scene.view)
+    for caption, equilibrate in (("Equilibrate off: the arcs that fit it", 0), ("in equilibrium", 1)):
+        show_foam(scene, FoamFromLabels(Input=picture, Equilibrate=equilibrate), FilmWidth=1.6)
+        parts.append((caption, scene.picture()))
+        HideAll(scene.view)
+    return with_colours_of_sides(side_by_side(parts, 3))
+
+
 def statistics(run):
     measured = FoamStatistics(Input=run)
     measured.UpdatePipeline(2)
@@ -188,6 +229,7 @@ if __name__ == "__main__":
     run = periodic_run()
     for name, made in (("proxy_points", points), ("proxy_from_points", from_points),
                        ("proxy_containers", containers), ("proxy_evolver", evolver),
+                       ("proxy_polygons", polygons), ("proxy_labels", labels),
                        ("proxy_coarsen", lambda: coarsen(run)), ("proxy_series", lambda: series(run)),
                        ("proxy_statistics", lambda: statistics(run)), ("proxy_ensemble", ensemble)):
         made().save(folder / f"{name}.png")

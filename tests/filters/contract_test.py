@@ -10,8 +10,8 @@ from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamEvolverReader, vtkFoamFromPoints,
-                                 vtkFoamPoints, vtkFoamStatistics)
+from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamEvolverReader, vtkFoamFromLabels,
+                                 vtkFoamFromPoints, vtkFoamFromPolygons, vtkFoamPoints, vtkFoamStatistics)
 from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of,
                           set_properties, single, skewed_torus, times, with_tensions)
 
@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "sample-data"
 XML = ROOT / "xml"
 FILTERS = [vtkFoamPoints, vtkFoamFromPoints, vtkFoamCoarsen, vtkFoamStatistics, vtkFoamEnsembleStatistics,
-           vtkFoamEvolverReader]
+           vtkFoamEvolverReader, vtkFoamFromLabels, vtkFoamFromPolygons]
 FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",
               "HalfAngle", "OnBoundary"]
 FIELD_PER_BUBBLE = ["BubbleId", "BubblePressure", "BubbleTargetArea"]

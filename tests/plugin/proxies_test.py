@@ -32,6 +32,8 @@ PROXIES = {
     "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area",
                     "Thresholds", "Alpha", "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
+    "FoamFromLabels": {"Background", "Boundary", "SurfaceTension", "Equilibrate", *EQUILIBRATOR},
+    "FoamFromPolygons": {"Boundary", "SurfaceTension", "Equilibrate", *EQUILIBRATOR},
     "FoamEvolverReader": {"Equilibrate", *EQUILIBRATOR},
     "FoamStatistics": {"IncludeBoundary"},
     "FoamEnsembleStatistics": {"IncludeBoundary"},
@@ -39,6 +41,7 @@ PROXIES = {
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray", "Walls"},
     "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"}, "FoamEvolverReader": {"FileName"},
+    "FoamFromLabels": {"Input", "LabelArray"}, "FoamFromPolygons": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
 CHOICES = {
@@ -53,11 +56,14 @@ CHOICES = {
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
     "FoamEvolverReader": EQUILIBRATOR_CHOICES,
+    "FoamFromLabels": {"Boundary": ["Free", "Inner", "Container", "Periodic"], **EQUILIBRATOR_CHOICES},
+    "FoamFromPolygons": {"Boundary": ["Free", "Container"], **EQUILIBRATOR_CHOICES},
     "FoamStatistics": {},
     "FoamEnsembleStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
          "FoamCoarsen": ["Films", "Bubbles"], "FoamEvolverReader": ["Films", "Bubbles"],
+         "FoamFromLabels": ["Films", "Bubbles"], "FoamFromPolygons": ["Films", "Bubbles"],
          "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
          "FoamEnsembleStatistics": None}
 SOURCES = {"FoamPoints", "FoamEvolverReader"}
@@ -76,6 +82,9 @@ class Proxies(unittest.TestCase):
         members = simple.GroupDatasets(Input=[statistics], OutputType="vtkPartitionedDataSet")
         cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
                        "FoamStatistics": statistics, "FoamEnsembleStatistics": FoamEnsembleStatistics(Input=members)}
+        picture = simple.Wavelet(WholeExtent=[0, 9, 0, 9, 0, 0])
+        cls.proxies["FoamFromLabels"] = FoamFromLabels(Input=picture)
+        cls.proxies["FoamFromPolygons"] = FoamFromPolygons(Input=simple.Plane(XResolution=3, YResolution=3))
         cls.proxies["FoamEvolverReader"] = simple.OpenDataFile(str(REFERENCE))
         cls.writers = {"FoamSeriesWriter": simple.CreateWriter("series.pvd", coarsen),
                        "FoamEvolverWriter": simple.CreateWriter("foam.fe", coarsen)}
@@ -171,7 +180,7 @@ class Proxies(unittest.TestCase):
             self.assertEqual(menu.GetAttribute("category"), "Foam", name)
 
     def test_properties_that_only_sometimes_matter_are_hidden(self):
-        for name in ("FoamFromPoints", "FoamCoarsen", "FoamEvolverReader"):
+        for name in ("FoamFromPoints", "FoamFromLabels", "FoamFromPolygons", "FoamCoarsen", "FoamEvolverReader"):
             for key in PROXIES[name]:
                 hints = self.proxies[name].GetProperty(key).SMProperty.GetHints()
                 decorators = [hints.GetNestedElement(i) for i in range(

@@ -25,7 +25,8 @@ void add_column(vtkFieldData* data, const char* name, const Elements& elements, 
 }
 
 /// Adds what is known of each bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm²), Sides,
-/// Perimeter (cm), OnBoundary.
+/// Perimeter (cm), OnBoundary, Stress (N/cm²), a symmetric tensor in VTK's order: XX, YY, ZZ, XY,
+/// YZ, XZ.
 void add_bubble_columns(vtkFieldData* data, const std::vector<BubbleStatistics>& bubbles);
 
 } // namespace foam::filters

@@ -10,6 +10,7 @@
 #include <vtkTable.h>
 
 #include "Columns.h"
+#include "statistics/stress.h"
 
 namespace foam::filters {
 namespace {
@@ -30,6 +31,11 @@ void write_summary(const Foam& foam, const FoamStatistics& figures, vtkTable* ta
   add_cell<vtkDoubleArray>(table, "AreaSecondMoment", figures.area_second_moment);
   add_cell<vtkDoubleArray>(table, "Energy", figures.energy);
   add_cell<vtkDoubleArray>(table, "AboavA", figures.aboav);
+  add_cell<vtkDoubleArray>(table, "StressXX", figures.stress.xx);
+  add_cell<vtkDoubleArray>(table, "StressYY", figures.stress.yy);
+  add_cell<vtkDoubleArray>(table, "StressXY", figures.stress.xy);
+  add_cell<vtkDoubleArray>(table, "NormalStressDifference",
+                           normal_stress_difference(figures.stress));
   add_cell<vtkIdTypeArray>(table, "T1Count", foam.t1_count);
   add_cell<vtkIdTypeArray>(table, "T2Count", foam.t2_count);
   add_cell<vtkIdTypeArray>(table, "T3Count", foam.t3_count);

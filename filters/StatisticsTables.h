@@ -11,7 +11,8 @@ class vtkTable;
 namespace foam::filters {
 
 /// One row: Time (s), Bubbles, MeanSides, Mu2, MeanArea (cm²), AreaSecondMoment, Energy (N),
-/// AboavA, T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError.
+/// AboavA, StressXX, StressYY, StressXY, NormalStressDifference (N/cm²), T1Count, T2Count, T3Count,
+/// Iterations, MaxAngleError (rad), MaxAreaError.
 void write_summary(const Foam& foam, const FoamStatistics& figures, vtkTable* table);
 
 /// One row per number of sides: Sides, Count, Fraction, MeanNeighbourSides, AboavProduct,

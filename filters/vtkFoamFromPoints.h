@@ -16,7 +16,7 @@
  * foam's whole state: a .vtp of them is a checkpoint.
  *
  * Output port 1, bubbles: a polygon per bubble. Cell data BubbleId, Area, TargetArea (cm²),
- * Pressure (N/cm²), Sides, Perimeter (cm), OnBoundary.
+ * Pressure (N/cm²), Sides, Perimeter (cm), OnBoundary, Stress (N/cm², tension positive).
  *
  * Bad input gives one error that names the cause, and empty outputs.
  *

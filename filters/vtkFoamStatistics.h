@@ -7,15 +7,17 @@
  *
  * Port 0, Summary, one row: Time (s), Bubbles, MeanSides, Mu2 (second moment of the number of sides
  * about six), MeanArea (cm²), AreaSecondMoment ⟨A²⟩/⟨A⟩², Energy (N), AboavA (a of Aboav–Weaire's
- * law), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative). The
- * two errors are measured: where films say that they are in equilibrium and are not, there is a
- * warning.
+ * law), StressXX, StressYY, StressXY (N/cm², tension positive), NormalStressDifference (σ_xx −
+ * σ_yy), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative).
+ * Stress is that of the whole foam; on a torus and in a container pressures have a constant in
+ * common that means nothing, and StressXX and StressYY have it too. The two errors are measured:
+ * where films say that they are in equilibrium and are not, there is a warning.
  *
  * Port 1, BySides, one row per number of sides n: Sides, Count, Fraction p(n), MeanNeighbourSides
  * m(n), AboavProduct n·m(n), AboavIdeal 5n + 7.4, MeanArea ⟨A_n⟩/⟨A⟩.
  *
  * Port 2, Bubbles, one row per bubble: BubbleId, Area, TargetArea (cm²), Pressure (N/cm²), Sides,
- * Perimeter (cm), OnBoundary.
+ * Perimeter (cm), OnBoundary, Stress (N/cm²), a symmetric tensor in VTK's order.
  *
  * Port 3, Distribution, p(n) beside a real foam's in the scaling state, one row per n, also where
  * no bubble has n sides: Sides, Fraction, MeasuredFraction (0 where none was measured). The

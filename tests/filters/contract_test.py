@@ -26,10 +26,10 @@ FIELD_PER_BUBBLE = ["BubbleId", "BubblePressure", "BubbleTargetArea"]
 FIELD_SINGLE = ["TimeValue", "SurfaceTension", "Boundary", "PeriodicBounds", "Energy",
                 "MaxAngleError", "MaxAreaError", "Residual", "Converged", "Iterations", "T1Count",
                 "T2Count", "T3Count", "FormatVersion"]
-BUBBLE_CELLS = ["BubbleId", "Area", "TargetArea", "Pressure", "Sides", "Perimeter", "OnBoundary"]
+BUBBLE_CELLS = ["BubbleId", "Area", "TargetArea", "Pressure", "Sides", "Perimeter", "OnBoundary", "Stress"]
 SUMMARY = ["Time", "Bubbles", "MeanSides", "Mu2", "MeanArea", "AreaSecondMoment", "Energy",
-           "AboavA", "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError",
-           "MaxAreaError"]
+           "AboavA", "StressXX", "StressYY", "StressXY", "NormalStressDifference",
+           "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError", "MaxAreaError"]
 BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", "AboavIdeal",
             "MeanArea"]
 
@@ -487,8 +487,49 @@ class Statistics(unittest.TestCase):
         self.assertEqual(table.GetNumberOfRows(), self.bubbles.GetNumberOfPolys())
         for name in BUBBLE_CELLS:
             expected = column(self.bubbles.GetCellData(), name)
-            found = [table.GetValueByName(i, name).ToDouble() for i in range(len(expected))]
-            numpy.testing.assert_allclose(found, expected, rtol=1e-13)
+            found = column(table.GetRowData(), name)
+            numpy.testing.assert_allclose(found, expected, rtol=1e-13, atol=1e-15)
+
+    def stress_of_films(self):
+        """The sum over all films of T times the integral of t t, by what is written of them: the length in full, and
+        beside it the chord's direction, as far as the arc has one."""
+        cells, total = self.films.GetCellData(), numpy.zeros((2, 2))
+        angles, lengths = column(cells, "HalfAngle"), column(cells, "Length")
+        for i in range(self.films.GetNumberOfLines()):
+            points = self.films.GetCell(i).GetPointIds()
+            ends = [numpy.array(self.films.GetPoint(points.GetId(k))[:2])
+                    for k in (0, points.GetNumberOfIds() - 1)]
+            along = (ends[1] - ends[0]) / numpy.linalg.norm(ends[1] - ends[0])
+            turn = 2 * angles[i]
+            part = numpy.sinc(turn / numpy.pi) * (2 * numpy.outer(along, along) - numpy.eye(2))
+            total += lengths[i] / 2 * (numpy.eye(2) + part)
+        return 2 * single(self.films, "SurfaceTension") * total
+
+    def test_stress(self):
+        """The foam's stress follows from its films and pressures, and is the mean of its bubbles'."""
+        cells = self.bubbles.GetCellData()
+        areas, pressures, each = (column(cells, name) for name in ("Area", "Pressure", "Stress"))
+        self.assertEqual([cells.GetArray("Stress").GetComponentName(k) for k in range(6)],
+                         ["XX", "YY", "ZZ", "XY", "YZ", "XZ"])
+        numpy.testing.assert_array_equal(each[:, [2, 4, 5]], 0)
+        mean = (areas[:, None] * each).sum(axis=0) / areas.sum()
+        films = (self.stress_of_films() - (areas * pressures).sum() * numpy.eye(2)) / areas.sum()
+        numpy.testing.assert_allclose(mean[[0, 1, 3]], [films[0, 0], films[1, 1], films[0, 1]], atol=1e-12)
+        summary = self.statistics.GetOutput(0)
+        value = {name: summary.GetValueByName(0, name).ToDouble() for name in SUMMARY}
+        self.assertAlmostEqual(value["StressXX"], mean[0], 12)
+        self.assertAlmostEqual(value["StressYY"], mean[1], 12)
+        self.assertAlmostEqual(value["StressXY"], mean[3], 12)
+        self.assertAlmostEqual(value["NormalStressDifference"], mean[0] - mean[1], 12)
+        self.assertGreater(abs(value["StressXY"]), 1e-6)
+
+    def test_cluster_has_no_stress(self):
+        foam = foam_of_points(60)
+        statistics = vtkFoamStatistics()
+        statistics.SetInputConnection(foam.GetOutputPort(0))
+        statistics.Update()
+        for name in ("StressXX", "StressYY", "StressXY"):
+            self.assertAlmostEqual(statistics.GetOutput(0).GetValueByName(0, name).ToDouble(), 0, 9)
 
     def test_boundary(self):
         foam = foam_of_points(60)

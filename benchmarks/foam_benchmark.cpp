@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "base/number.h"
+#include "base/random.h"
 #include "coarsening/coarsening.h"
 #include "construct/containers.h"
 #include "construct/from_points.h"
@@ -244,12 +245,21 @@ void time_thesis_frames(const std::string& work, Index bubbles, Boundary boundar
   time_frames(work, std::move(foam), options, count, whole);
 }
 
-/// As many bubbles of area 1 as find room in a disc.
+/// Of points, with areas at random: two foams of them are as uneven as each other.
+Foam uneven_foam(const std::vector<Vec2>& points, BuildOptions options) {
+  Random random(1);
+  options.target_areas = TargetAreas::Array;
+  options.fit_areas = true;
+  options.target_area_array.resize(points.size());
+  std::ranges::generate(options.target_area_array, [&] { return 0.2 + 1.6 * random.uniform(); });
+  return build_from_points(points, options);
+}
+
+/// As many bubbles of about area 1 as find room in a disc.
 Foam foam_in_disc(Index bubbles) {
   const double radius = std::sqrt(bubbles / std::numbers::pi);
   BuildOptions options;
   options.boundary = Boundary::Container;
-  options.target_areas = TargetAreas::Uniform;
   options.container = disc({-radius, radius, -radius, radius}, WallContact::Slip);
   const auto side = static_cast<Index>(std::ceil(2 * radius));
   std::vector<Vec2> points = jittered_grid(side * side, 1, 1, 1);
@@ -258,16 +268,15 @@ Foam foam_in_disc(Index bubbles) {
     p -= middle;
   }
   std::erase_if(points, [&](Vec2 p) { return !is_inside(options.container, p); });
-  return build_from_points(points, options);
+  return uneven_foam(points, options);
 }
 
 Foam foam_on_torus(Index bubbles) {
   const Vec2 corner = grid_corner(bubbles, 1);
   BuildOptions options;
   options.boundary = Boundary::Periodic;
-  options.target_areas = TargetAreas::Uniform;
   options.torus = Lattice::rectangle(0, corner.x, 0, corner.y);
-  return build_from_points(jittered_grid(bubbles, 1, 1, 1), options);
+  return uneven_foam(jittered_grid(bubbles, 1, 1, 1), options);
 }
 
 /// What walls cost: two foams take turns, so that both find the machine in the same mood.

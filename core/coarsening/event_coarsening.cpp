@@ -586,7 +586,7 @@ std::optional<Obstacle> EventCoarsening::handle_collapse(Bubble bubble, const Ab
 }
 
 Obstacle EventCoarsening::cannot_vanish(Bubble bubble) const {
-  const bool last_two = !foam_.surroundings.periodic() && foam_.bubble_count() == 2;
+  const bool last_two = !foam_.surroundings.has_images() && foam_.bubble_count() == 2;
   return {last_two ? End::Cause::LastTwo : End::Cause::CannotVanish, bubble};
 }
 

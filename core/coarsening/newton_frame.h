@@ -176,7 +176,7 @@ private:
 
     const detail::AdmissibleRate rate{rules};
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
-    if (!mesh.surroundings.periodic() && sums.bubbles == 2 &&
+    if (!mesh.surroundings.has_images() && sums.bubbles == 2 &&
         executor_.reduce(mesh.bubble_slots(), false, detail::Vanishes{rules}, parallel::Or{})) {
       result.end = Obstacle{End::Cause::LastTwo};
       return;

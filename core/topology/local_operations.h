@@ -27,6 +27,13 @@ template <class Mesh> FOAM_HOST_DEVICE bool has_sides(const Mesh& mesh, Half h, 
   return count >= n;
 }
 
+/// How many films the loop on the left of h can do with: two, or one of a wall that goes from the
+/// end of a film on to its image.
+template <class Mesh> FOAM_HOST_DEVICE int fewest_sides(const Mesh& mesh, Half h) {
+  const Bubble b = mesh.left(h);
+  return mesh.solid(b) && is_line(mesh.exterior[b.outside()]) ? 1 : 2;
+}
+
 template <class Mesh> FOAM_HOST_DEVICE void add_sides(Mesh& mesh, Bubble bubble, Index n) {
   if (!bubble.is_outside()) {
     mesh.sides[bubble] += n;
@@ -127,24 +134,25 @@ FOAM_HOST_DEVICE void put_end(Mesh& mesh, Junction junction, const SwappedEnd& e
   }
 }
 
-/// Whether h is a stretch of a wall on which only two films end.
+/// Whether h is a stretch of an obstacle on which only two films end.
 template <class Mesh> FOAM_HOST_DEVICE bool is_one_of_two_stretches(const Mesh& mesh, Half h) {
   if (!mesh.wall(h)) {
     return false;
   }
   const Half along = mesh.solid(mesh.left(h)) ? h : h.twin();
-  return mesh.next_in_bubble(mesh.next_in_bubble(along)) == along;
+  const Outside wall = mesh.left(along).outside();
+  return mesh.next_in_bubble(mesh.next_in_bubble(along)) == along &&
+         !is_line(mesh.exterior[wall]) && mesh.area_of_wall(wall) < 0;
 }
 
-/// Whether the two films at the ends of h, one of two stretches of a wall, can leave the wall
-/// together: it is an obstacle's, and they are two.
+/// Whether the two films at the ends of h, one of two stretches of an obstacle, can leave it
+/// together: they are two.
 template <class Mesh> FOAM_HOST_DEVICE bool can_leave_wall(const Mesh& mesh, Half h) {
   const Half e0 = mesh.solid(mesh.left(h)) ? h : h.twin();
   const Half e1 = mesh.next_in_bubble(e0);
   const Half o0 = mesh.off_wall(mesh.start(e0));
   const Half o1 = mesh.off_wall(mesh.start(e1));
-  return mesh.area_of_wall(mesh.left(e0).outside()) < 0 && o0.film() != o1.film() &&
-         mesh.end(o0) != mesh.end(o1) && has_sides(mesh, e0.twin(), 4) &&
+  return o0.film() != o1.film() && mesh.end(o0) != mesh.end(o1) && has_sides(mesh, e0.twin(), 4) &&
          has_sides(mesh, e1.twin(), 4);
 }
 
@@ -158,7 +166,7 @@ template <class Mesh> FOAM_APART SwappedEnd end_along_wall(const Mesh& mesh, Hal
 
 } // namespace detail
 
-/// Whether the film can be swapped: the two bubbles that lose a side keep two, the two that gain
+/// Whether the film can be swapped: those that lose a side keep enough, the two bubbles that gain
 /// one differ, or are two images of one, its ends may come together, and the new junctions can hold
 /// the tensions of their films. Or whether a film can leave a wall with it (leave_wall).
 template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Film film) {
@@ -176,14 +184,15 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t1(const Mesh& mesh, Fil
   const Half t2 = mesh.previous_around_junction(t);
   const Bubble at_start = mesh.left(h1);
   const Bubble at_end = mesh.left(t1);
-  const int needed = mesh.left(h) == mesh.right(h) ? 4 : 3;
+  const int lost = mesh.left(h) == mesh.right(h) ? 2 : 1;
   const auto holds = [&](Bubble beside, const std::array<Half, 3>& halves) {
     return detail::beside_wall(mesh, std::array{at_start, at_end, beside}) ||
            detail::can_meet(mesh, halves);
   };
-  return !detail::encloses_between_ends(mesh, h) && detail::has_sides(mesh, h, needed) &&
-         detail::has_sides(mesh, t, needed) && holds(mesh.left(h), {h, t2, h1}) &&
-         holds(mesh.right(h), {t, h2, t1});
+  return !detail::encloses_between_ends(mesh, h) &&
+         detail::has_sides(mesh, h, detail::fewest_sides(mesh, h) + lost) &&
+         detail::has_sides(mesh, t, detail::fewest_sides(mesh, t) + lost) &&
+         holds(mesh.left(h), {h, t2, h1}) && holds(mesh.right(h), {t, h2, t1});
 }
 
 namespace detail {
@@ -315,8 +324,8 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t2(const Mesh& mesh, Bub
       lost += neighbour == neighbours[k] ? 1 : 0;
     }
     possible = possible && neighbours[k] != bubble &&
-               outer[k].film() != outer[(k + 1) % 3].film() &&
-               detail::has_sides(mesh, h.twin(), 2 + lost);
+               (outer[k].film() != outer[(k + 1) % 3].film() || mesh.wall(outer[k])) &&
+               detail::has_sides(mesh, h.twin(), detail::fewest_sides(mesh, h.twin()) + lost);
     ++k;
   });
   return possible && (detail::beside_wall(mesh, neighbours) || detail::can_meet(mesh, outer));
@@ -413,10 +422,12 @@ template <class Mesh> FOAM_HOST_DEVICE bool can_perform_t3(const Mesh& mesh, Bub
   const Half e1 = mesh.next_in_bubble(e0);
   const Half remaining = mesh.previous_around_junction(e0);
   const Half end = mesh.previous_around_junction(e1).twin();
-  const int needed = mesh.right(e0) == mesh.right(e1) ? 6 : 4;
-  return !(mesh.surroundings.has_walls() && mesh.hosts_wall(bubble)) &&
-         detail::has_sides(mesh, e0.twin(), needed) && detail::has_sides(mesh, e1.twin(), needed) &&
-         mesh.end(remaining) != mesh.start(end) &&
+  const int lost = mesh.right(e0) == mesh.right(e1) ? 4 : 2;
+  const auto spares = [&](Half h) {
+    return detail::has_sides(mesh, h, detail::fewest_sides(mesh, h) + lost);
+  };
+  return !(mesh.surroundings.has_walls() && mesh.hosts_wall(bubble)) && spares(e0.twin()) &&
+         spares(e1.twin()) && (mesh.end(remaining) != mesh.start(end) || mesh.wall(remaining)) &&
          (mesh.on_wall(mesh.start(end)) ||
           detail::can_meet(mesh, {remaining, mesh.next_around_junction(end),
                                   mesh.previous_around_junction(end)}));

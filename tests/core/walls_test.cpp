@@ -32,6 +32,7 @@ void follow(Foam& foam) {
 
 /// Of the line tension 1, in equilibrium: films in a container.
 Foam between_walls(FilmSet set, const Container& container) {
+  set.surroundings.lattice.first.x = container.period;
   set.surroundings.boundary = Boundary::Container;
   set.surface_tension = 0.5;
   for (const Wall& wall : container.walls) {
@@ -354,6 +355,38 @@ TEST(Walls, MoebiusMapsOfADiscKeepEquilibria) {
         EXPECT_LT(std::abs(sum), 1e-8) << seed;
       }
     }
+  }
+}
+
+/// A bubble that goes round a channel has a film on both of whose sides it lies. The small bubbles
+/// on that film, one at either wall, vanish, and leave the film straight across.
+TEST(Walls, ABubbleThatGoesRoundAChannelStays) {
+  FilmSet set;
+  set.junctions = {{1.8, 0}, {2.2, 0}, {2, 0.3}, {2, 1.7}, {2.2, 2}, {1.8, 2}};
+  set.films = {{1, 2, 1, 0, 0.5, {}}, {2, 0, 1, 0, 0.5, {}},    {0, 1, 1, -1, 0, {}},
+               {2, 3, 0, 0, 0, {}},   {3, 4, 2, 0, 0.5, {}},    {4, 5, 2, -2, 0, {}},
+               {5, 3, 2, 0, 0.5, {}}, {1, 0, 0, -1, 0, {1, 0}}, {5, 4, 0, -2, 0, {-1, 0}}};
+  set.bubbles = {{0, 0, 7.8}, {1, 0, 0.08}, {2, 0, 0.12}};
+  const Foam start = between_walls(set, channel({0, 4, 0, 2}, WallContact::Slip));
+  for (const Stepping stepping : {Stepping::Events, Stepping::FixedSteps}) {
+    CoarseningOptions options;
+    options.stepping = stepping;
+    options.time_step = 0.01;
+    options.thresholds.kind = ThresholdKind::Absolute;
+    options.thresholds.t1_length = 0.01;
+    options.thresholds.t2_area = 0.01;
+    const auto coarsening = make_coarsening(options);
+    coarsening->restart(start);
+    for (int frame = 0; frame < 10; ++frame) {
+      ASSERT_TRUE(coarsening->advance({}));
+      expect_valid(coarsening->foam());
+      expect_equilibrium(coarsening->foam());
+    }
+    const Foam& foam = coarsening->foam();
+    EXPECT_EQ(foam.bubble_count(), 1);
+    EXPECT_NEAR(foam.energy(), 2, 1e-10);
+    EXPECT_NEAR(gas(foam), 8, 1e-12);
+    EXPECT_EQ(film_set(foam_of(film_set(foam))), film_set(foam));
   }
 }
 

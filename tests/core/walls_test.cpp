@@ -390,6 +390,24 @@ TEST(Walls, ABubbleThatGoesRoundAChannelStays) {
   }
 }
 
+/// In a cleft as sharp as a heart's a film holds to the edge, at 195° to the wall ahead, and ends
+/// on the floor as a quarter circle's half of radius 2√2.
+TEST(Walls, AFilmHoldsToASharpEdge) {
+  const double root = std::sqrt(3);
+  const std::vector<Vec2> cleft{{-3, -2}, {3, -2},    {3, root}, {1, root},
+                                {0, 0},   {-1, root}, {-3, root}};
+  const double half = 3 * (2 + root) - root / 2;
+  for (const double side : {-1.0, 1.0}) {
+    const double gain = side * (kPi - 2);
+    Foam foam = filled(outline({{cleft}}, WallContact::Slip), {{-1.5, -0.5}, {1.5, -0.5}},
+                       {half + gain, half - gain});
+    expect_equilibrium(foam);
+    EXPECT_NEAR(foam.energy(), kPi / std::sqrt(2), 1e-10);
+    EXPECT_NEAR(foam.pressure[Bubble(0)] - foam.pressure[Bubble(1)], side / (2 * std::sqrt(2)),
+                1e-10);
+  }
+}
+
 /// Three radii of a disc, mapped so that the middle goes to a on the first of them, which stays
 /// straight; the others become arcs of curvature 2a·sin 120°/(1 − a²).
 TEST(Walls, ThreeMappedRadiiOfADisc) {

@@ -76,7 +76,7 @@ std::unique_ptr<Evolution> newton_on(Device device, double tolerance, Foam foam,
 }
 
 /// Seconds for some frames. \throws FoamError if the foam cannot go on for so long.
-double advance(Coarsening& coarsening, int frames) {
+double advance(Evolution& coarsening, int frames) {
   const auto begin = Clock::now();
   for (int frame = 0; frame < frames; ++frame) {
     if (!coarsening.advance({})) {

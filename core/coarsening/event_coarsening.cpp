@@ -288,34 +288,26 @@ bool EventCoarsening::has_short_film() const {
 /// When a film reaches an obstacle that lies free in a bubble, as all move along their response, if
 /// one does in this step. \pre the whole foam stands at this instant
 std::optional<Event> EventCoarsening::next_touch() const {
-  const auto least_gap = [](const Foam& foam) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Outside wall : foam.outside_slots()) {
-      if (foam.exterior[wall].host != kNone) {
-        const auto approach = nearest_film(foam, wall);
-        least = approach ? std::min(least, approach->gap) : least;
-      }
-    }
-    return least;
-  };
-  if (std::isinf(least_gap(foam_))) {
+  const auto nearest = nearest_film(foam_);
+  if (!nearest) {
     return std::nullopt;
   }
   Foam ahead = foam_;
   Motion motion = motion_;
-  const auto gap_at = [&](double time) {
+  const auto apart_at = [&](double time) {
     motion.bring_all(ahead, time);
-    return least_gap(ahead);
+    const auto approach = nearest_film(ahead);
+    return !approach || approach->gap > 0;
   };
   double before = now_;
   double after = step_;
-  if (least_gap(foam_) > 0) {
-    if (gap_at(after) > 0) {
+  if (nearest->gap > 0) {
+    if (apart_at(after)) {
       return std::nullopt;
     }
     while (after - before > 0.5 * same_time()) {
       const double middle = 0.5 * (before + after);
-      (gap_at(middle) > 0 ? before : after) = middle;
+      (apart_at(middle) ? before : after) = middle;
     }
   }
   return Event{.time = before, .kind = Event::Kind::Touch};
@@ -323,13 +315,7 @@ std::optional<Event> EventCoarsening::next_touch() const {
 
 /// Parts the film that has reached an obstacle.
 void EventCoarsening::touch(const AbortCheck& aborted) {
-  std::optional<Approach> nearest;
-  for (const Outside wall : foam_.outside_slots()) {
-    if (foam_.exterior[wall].host != kNone) {
-      const auto approach = nearest_film(foam_, wall);
-      nearest = approach && (!nearest || approach->gap < nearest->gap) ? approach : nearest;
-    }
-  }
+  const auto nearest = nearest_film(foam_);
   const std::array around{foam_.left(nearest->film), foam_.right(nearest->film)};
   changed_ = now_;
   perform_touch(foam_, *nearest);

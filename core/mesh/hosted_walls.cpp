@@ -64,6 +64,15 @@ Bubble host_of(const Foam& foam, Outside wall) {
 
 } // namespace
 
+double length_of_wall(const Foam& foam, Outside wall) {
+  const Exterior& exterior = foam.exterior[wall];
+  double sum = 0;
+  for (Index i = 0; i < exterior.pieces; ++i) {
+    sum += foam.wall_piece[Piece(exterior.first_piece + i)].length();
+  }
+  return sum;
+}
+
 bool has_obstacles(const Foam& foam) {
   bool found = false;
   for (const Outside wall : foam.outside_slots()) {

@@ -11,6 +11,9 @@ namespace foam {
 inline constexpr Index kFilmsOfContact = 3;
 inline constexpr Index kJunctionsOfContact = 2;
 
+/// Once along a whole wall, cm.
+double length_of_wall(const Foam& foam, Outside wall);
+
 /// Whether there are walls round which the foam lies.
 bool has_obstacles(const Foam& foam);
 

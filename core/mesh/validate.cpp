@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "mesh/element_measures.h"
+#include "mesh/hosted_walls.h"
 
 namespace foam {
 namespace {
@@ -191,10 +192,7 @@ void check_order(const Foam& foam, Outside wall, std::vector<std::string>& probl
   if (exterior.kind != Exterior::Kind::Solid || exterior.host != kNone) {
     return;
   }
-  double round = 0;
-  for (Index i = 0; i < exterior.pieces; ++i) {
-    round += foam.wall_piece[Piece(exterior.first_piece + i)].length();
-  }
+  const double round = length_of_wall(foam, wall);
   double sum = 0;
   for (const Half h : foam.half_slots()) {
     if (foam.start(h) != kNone && foam.right(h) == Bubble(wall)) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/hosted_walls.h"
 #include "mesh/validate.h"
 #include "topology/local_operations.h"
 
@@ -61,14 +62,6 @@ void for_each_candidate(const WallPiece& piece, const WallPiece& arc, const Visi
   }
 }
 
-double perimeter(const Foam& foam, Outside wall) {
-  double sum = 0;
-  for (Index i = 0; i < foam.exterior[wall].pieces; ++i) {
-    sum += foam.wall_piece[Piece(foam.exterior[wall].first_piece + i)].length();
-  }
-  return sum;
-}
-
 template <class Element, class IsThere> Element unused(Slots<Element> slots, const IsThere& there) {
   Index i = slots.size() - 1;
   while (there(slots[i])) {
@@ -108,6 +101,17 @@ std::optional<Approach> nearest_film(const Foam& foam, Outside wall) {
   return nearest;
 }
 
+std::optional<Approach> nearest_film(const Foam& foam) {
+  std::optional<Approach> nearest;
+  for (const Outside wall : foam.outside_slots()) {
+    if (foam.exterior[wall].host != kNone) {
+      const auto approach = nearest_film(foam, wall);
+      nearest = approach && (!nearest || approach->gap < nearest->gap) ? approach : nearest;
+    }
+  }
+  return nearest;
+}
+
 void perform_touch(Foam& foam, const Approach& approach) {
   const Half h = approach.film;
   const Outside outside = foam.piece_outside[approach.place.piece];
@@ -115,7 +119,7 @@ void perform_touch(Foam& foam, const Approach& approach) {
   const Bubble host = foam.left(h);
   const Bubble beyond = foam.right(h);
   const Junction last = foam.end(h);
-  const double way = std::min(0.125 * perimeter(foam, outside), 0.25 * foam.length(h));
+  const double way = std::min(0.125 * length_of_wall(foam, outside), 0.25 * foam.length(h));
 
   const auto new_film = [&](Junction from, Junction to, Bubble left, Bubble right) {
     const Film film = unused(foam.film_slots(), [&](Film f) { return foam.has_film(f); });

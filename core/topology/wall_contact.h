@@ -20,6 +20,9 @@ struct Approach {
 /// \returns none if no film faces the obstacle. \pre the wall has a host
 std::optional<Approach> nearest_film(const Foam& foam, Outside wall);
 
+/// The same of all obstacles that lie in a bubble. \returns none if there is no such.
+std::optional<Approach> nearest_film(const Foam& foam);
+
 /// Parts a film that has come upon an obstacle in two, which end on it, at either side of where
 /// they touch.
 void perform_touch(Foam& foam, const Approach& approach);

@@ -27,11 +27,7 @@ CoarseningOptions fine_options(double time_step) {
 }
 
 double total_area(const Foam& foam) {
-  double sum = 0;
-  for (const Bubble b : foam.bubble_slots()) {
-    sum += foam.has_bubble(b) ? foam.area(b) : 0;
-  }
-  return sum;
+  return sum(foam, [&](Bubble b) { return foam.area(b); });
 }
 
 Field<Bubble, double> gas_transfers(const Foam& foam, double permeability) {

@@ -40,11 +40,7 @@ int hosted_walls(const Foam& foam) {
 }
 
 double area_of(const Foam& foam) {
-  double sum = 0;
-  for (const Bubble b : foam.bubble_slots()) {
-    sum += foam.has_bubble(b) ? foam.area(b) : 0;
-  }
-  return sum;
+  return sum(foam, [&](Bubble b) { return foam.area(b); });
 }
 
 double area_in(const Foam& foam) {

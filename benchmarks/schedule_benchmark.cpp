@@ -10,6 +10,7 @@
 #include "thesis/rules.h"
 #include "thesis/update_order.h"
 #include "topology/collapse_operations.h"
+#include "topology/operations.h"
 
 namespace foam {
 namespace {
@@ -19,10 +20,12 @@ int rounds(Host& host, Foam& foam, const ThesisRules& rules) {
   Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
   Reservations<Host> reservations(host);
   int rounds = 0;
-  for (OperationCount performed{1, 0, 0}; performed.any(); ++rounds) {
-    performed = reservations.round(
-        view_of(foam), CollapseOperations{rules, FieldView<Film, std::uint8_t>(swappable.data())});
-    count(foam, performed);
+  const CollapseOperations operations{rules, FieldView<Film, std::uint8_t>(swappable.data())};
+  do {
+    ++rounds;
+  } while (reservations.round(view_of(foam), operations) > 0);
+  for (const TopologicalOperation& performed : reservations.take_performed()) {
+    note_performed(foam, performed);
   }
   return rounds;
 }

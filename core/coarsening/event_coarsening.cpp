@@ -88,6 +88,7 @@ void EventCoarsening::undo(State state) {
 }
 
 bool EventCoarsening::advance(const AbortCheck& aborted) {
+  foam_.operations.clear();
   State before{foam_, {}, back_off_};
   iterations_ = 0;
   const bool few = foam_.bubble_count() <= kFewBubbles;
@@ -136,6 +137,12 @@ void EventCoarsening::note_thresholds() {
   foam_.thresholds = limit_;
 }
 
+/// \param time in this step, s
+void EventCoarsening::be_at(double time) {
+  now_ = time;
+  foam_.time = begin_ + time;
+}
+
 /// Through a frame. \param whole whether the whole foam relaxes at every event
 std::optional<Obstacle> EventCoarsening::integrate(bool whole, const AbortCheck& aborted) {
   whole_ = whole;
@@ -174,7 +181,8 @@ void EventCoarsening::set_limits() {
 
 /// Goes through a step of at most the remaining time (s) from one event to the next.
 std::optional<Obstacle> EventCoarsening::step(double remaining, const AbortCheck& aborted) {
-  now_ = 0;
+  begin_ = foam_.time;
+  be_at(0);
   changed_ = 0;
   unit_of_time_ =
       foam_.mean_area() / von_neumann_constant(foam_.surface_tension, options_.permeability);
@@ -209,7 +217,7 @@ std::optional<Obstacle> EventCoarsening::step_by_patches(const AbortCheck& abort
     if (aborted && aborted()) {
       throw Aborted();
     }
-    now_ = event->time;
+    be_at(event->time);
     const std::uint64_t topology = foam_.topology;
     if (events_left < 0) {
       return Obstacle{End::Cause::NoEquilibrium};
@@ -219,7 +227,7 @@ std::optional<Obstacle> EventCoarsening::step_by_patches(const AbortCheck& abort
     }
     events_left -= foam_.topology != topology || event->kind == Event::Kind::Strain ? 1 : 0;
   }
-  now_ = step_;
+  be_at(step_);
   motion_.finish(foam_, now_);
   balance_gas();
   relax_whole(0, limit_.t1_length, options_.equilibrator.maximum_iterations, aborted);
@@ -246,7 +254,7 @@ std::optional<Obstacle> EventCoarsening::step_whole(const AbortCheck& aborted) {
     const bool vanishes = !rates_change_ && event && event->kind == Event::Kind::Collapse &&
                           foam_.sides[event->bubble] <= 3;
     if (vanishes) {
-      now_ = event->time;
+      be_at(event->time);
       motion_.bring_all(foam_, now_);
     }
     if (vanishes || (event && std::abs(event->time - now_) <= same_time())) {
@@ -371,7 +379,7 @@ bool EventCoarsening::arrive(double time, const AbortCheck& aborted) {
       }
       relax_whole(at_end ? 0 : kBetweenEvents, 0, kShortRelaxation, aborted);
       if (foam_.report.converged) {
-        now_ = there;
+        be_at(there);
         return true;
       }
     }

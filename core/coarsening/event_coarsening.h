@@ -47,6 +47,7 @@ private:
 
   std::optional<Obstacle> integrate(bool whole, const AbortCheck& aborted);
   double length_of_step(double time, const Field<Bubble, double>& rates) const;
+  void be_at(double time);
   void set_limits();
   void note_thresholds();
   std::optional<Obstacle> step(double remaining, const AbortCheck& aborted);
@@ -96,6 +97,7 @@ private:
   Motion motion_;
   EventQueue queue_;
   double step_ = 0;                ///< s
+  double begin_ = 0;               ///< of the step, s
   double now_ = 0;                 ///< s from the beginning of the step
   double changed_ = 0;             ///< when topology changed last in it, s likewise
   double predicted_ = 0;           ///< when the whole foam's response was found last, s likewise

@@ -128,7 +128,7 @@ private:
         (fallback ? kFallbackSteps : 1) * std::clamp(std::ceil(needed), 1.0, kMostSteps);
     rules.time_step /= steps;
     for (int step = 0; step < steps && result.performed(); ++step) {
-      take_step(mesh, rules, equilibrate, result);
+      take_step(mesh, rules, step * rules.time_step, equilibrate, result);
     }
     if (result.performed()) {
       result.limit = limits(mesh);
@@ -163,16 +163,17 @@ private:
             .time_step = options_.time_step};
   }
 
-  void take_step(const FoamView& mesh, NewtonRules rules, const Equilibrate& equilibrate,
-                 FrameResult& result) {
+  /// \param begin from the frame's on, s
+  void take_step(const FoamView& mesh, NewtonRules rules, double begin,
+                 const Equilibrate& equilibrate, FrameResult& result) {
     if (rules.two_sided.fate == TwoSidedBubbles::Slide) {
       reservations_.run(mesh,
                         SlideOperations{rules.two_sided, allowed_.all_set(mesh.bubble_slots())});
     }
     const FieldView<Film, std::uint8_t> swappable = allowed_.all_set(mesh.film_slots());
     rules.swappable = ConstFieldView<Film, std::uint8_t>(swappable.data());
-    result.operations = result.operations +
-                        reservations_.run(mesh, CollapseOperations<NewtonRules>{rules, swappable});
+    reservations_.run(mesh, CollapseOperations<NewtonRules>{rules, swappable});
+    result.add(reservations_.take_performed(), begin);
 
     const detail::AdmissibleRate rate{rules};
     const BubbleSums sums = sum_bubbles(executor_, rules.rate.mesh, rate);
@@ -187,7 +188,7 @@ private:
     const int iterations = result.report.iterations + found.report.iterations;
     result.report = found.report;
     result.report.iterations = iterations;
-    result.operations.t1 += found.t1;
+    result.add(found.swaps, begin + rules.time_step);
     if (!(found.report.residual < kNearlyConverged) ||
         !measure_equilibrium(executor_, const_view(mesh)).possible) {
       result.end = Obstacle{End::Cause::NoEquilibrium};

@@ -21,6 +21,7 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
   Foam next;
   const auto begin = [&] {
     next = foam_;
+    next.operations.clear();
     return view_of(next);
   };
   const auto in_need = [&](double t1_length) {
@@ -28,7 +29,8 @@ bool NewtonFrameCoarsening::advance(const AbortCheck& aborted) {
     newton::NewtonResult found;
     const std::int64_t before = next.t1_count;
     found.report = in_need_.equilibrate(next, t1_length, aborted);
-    found.t1 = std::exchange(next.t1_count, before) - before;
+    found.swaps = std::exchange(next.operations, {});
+    next.t1_count = before;
     return found;
   };
   const FrameResult result = frame_.advance(begin, aborted, in_need);

@@ -117,6 +117,7 @@ void swap_at_random(Foam& foam, double share, Random random) {
     }
   }
   foam.t1_count = 0;
+  foam.operations.clear();
 }
 
 } // namespace

@@ -60,7 +60,6 @@ void TorusDeformation::restart(Foam foam) {
   response_ = before_ = {};
   predicted_ = false;
   since_before_ = 0;
-  t1s_.clear();
 }
 
 void TorusDeformation::undo(Foam foam) {
@@ -72,9 +71,9 @@ void TorusDeformation::undo(Foam foam) {
 }
 
 bool TorusDeformation::advance(const AbortCheck& aborted) {
+  foam_.operations.clear();
   Foam before = foam_;
   iterations_ = 0;
-  t1s_.clear();
   bool covered = false;
   try {
     covered = cover(frame_time(), aborted);
@@ -232,13 +231,10 @@ double TorusDeformation::swap_closing(double wait) {
       continue;
     }
     used.insert(used.end(), ends.begin(), ends.end());
-    ShearedT1 event;
-    event.strain = foam_.strain + foam_.strain_direction * own;
-    event.place = foam_.position[ends[0]] + 0.5 * foam_.chord(h);
-    const auto parted = perform_t1(foam_, film);
-    event.parted = {foam_.bubble_id[parted[0]], foam_.bubble_id[parted[1]]};
-    event.joined = {foam_.bubble_id[foam_.left(h)], foam_.bubble_id[foam_.right(h)]};
-    t1s_.push_back(event);
+    perform_t1(foam_, film);
+    TopologicalOperation& swap = foam_.operations.back();
+    swap.time += own;
+    swap.strain += foam_.strain_direction * own;
   }
   predicted_ = false;
   since_before_ = 0;
@@ -277,6 +273,7 @@ bool TorusDeformation::jump(double way, const AbortCheck& aborted) {
 void TorusDeformation::follow(double way) {
   const double s = foam_.strain_direction * way;
   foam_.strain += s;
+  foam_.time += way;
   strain(foam_, exponential(s, flow_));
   const bool moves = response_.topology == foam_.topology;
   const bool bends = moves && since_before_ != 0 && std::abs(s) < 1.5 * std::abs(since_before_);

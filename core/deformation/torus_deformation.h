@@ -13,14 +13,6 @@
 
 namespace foam {
 
-/// A T1 that a strain has led to.
-struct ShearedT1 {
-  double strain = 0;                    ///< at which the film's length vanished
-  Vec2 place;                           ///< of the film, cm
-  std::array<std::int64_t, 2> parted{}; ///< BubbleIds of those that lost a side
-  std::array<std::int64_t, 2> joined{}; ///< of those that gained one
-};
-
 /// Quasi-static deformation of a torus by its periods, from one T1 to the next.
 ///
 /// Between T1s positions, half-angles and pressures are smooth in the strain, and a film that is to
@@ -41,9 +33,6 @@ public:
   bool advance(const AbortCheck& aborted) override;
   const Foam& foam() const override { return foam_; }
   double frame_time() const override;
-
-  /// Those of the last frame, in their order, without those by which the foam relaxed after one.
-  const std::vector<ShearedT1>& t1s() const { return t1s_; }
 
 private:
   /// Per unit of strain, of the foam of some topology.
@@ -80,7 +69,6 @@ private:
   Response response_, before_; ///< here, and where the foam stood before
   double since_before_ = 0;    ///< strain from there; 0 if it means nothing
   bool predicted_ = false;     ///< the response is that of the foam as it stands
-  std::vector<ShearedT1> t1s_;
   int iterations_ = 0;
 };
 

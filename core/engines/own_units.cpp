@@ -158,6 +158,15 @@ template <class Options> const FoamRecord& OwnUnitsEvolution<Options>::record() 
   return record_;
 }
 
+template <class Options> std::vector<TopologicalEvent> OwnUnitsEvolution<Options>::events() const {
+  std::vector<TopologicalEvent> events = evolution_->events();
+  const UnitChange back = own_.inverse();
+  for (TopologicalEvent& event : events) {
+    event.place = back.place(event.place);
+  }
+  return events;
+}
+
 template <class Options> SampledFoam OwnUnitsEvolution<Options>::sample(double chord_error) {
   if (own_.shift != Vec2{}) { // a place in between that is not a junction would be rounded twice
     return foam::sample(foam(), chord_error);

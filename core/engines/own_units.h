@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "coarsening/options.h"
 #include "deformation/options.h"
@@ -46,6 +47,7 @@ public:
   const Foam& foam() const override;
   double frame_time() const override { return evolution_->frame_time(); }
   const FoamRecord& record() const override;
+  std::vector<TopologicalEvent> events() const override;
   SampledFoam sample(double chord_error) override;
   FoamStatistics statistics(bool include_boundary) override;
 

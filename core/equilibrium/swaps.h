@@ -131,8 +131,8 @@ struct ClosingFilmSwaps {
   FOAM_HOST_DEVICE static Touched bubbles(const ConstFoamView& mesh, Film film) {
     return bubbles_around_film(mesh, film);
   }
-  FOAM_HOST_DEVICE static Performed count(const ConstFoamView& /*mesh*/, Film /*film*/) {
-    return {1};
+  FOAM_HOST_DEVICE static TopologicalOperation describe(const ConstFoamView& mesh, Film film) {
+    return swap_of(mesh, film);
   }
   FOAM_HOST_DEVICE void perform(FoamView& mesh, Film film) const {
     swap_film(mesh, film);
@@ -151,6 +151,7 @@ public:
     count_.resize(place_of(mesh.films));
     closing_.resize(place_of(mesh.films));
     executor_.for_each(mesh.films, parallel::Fill<std::uint8_t>{count_.data(), 0});
+    reservations_.take_performed(); // of one that was aborted
   }
 
   /// Marks the films that a step closes.
@@ -167,8 +168,11 @@ public:
   std::int64_t perform(const FoamView& mesh) {
     const ClosingFilmSwaps swaps{FieldView<Film, std::uint8_t>(closing_.data()),
                                  FieldView<Film, std::uint8_t>(count_.data())};
-    return reservations_.run(mesh, swaps).count;
+    return reservations_.run(mesh, swaps);
   }
+
+  /// All since this was asked last.
+  std::vector<TopologicalOperation> take_performed() { return reservations_.take_performed(); }
 
 private:
   Executor& executor_;

@@ -5,26 +5,29 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "equilibrium/krylov_solver.h"
 #include "equilibrium/newton.h"
 #include "equilibrium/options.h"
 #include "equilibrium/swaps.h"
 #include "physics/equilibrium_measures.h"
+#include "topology/operations.h"
 
 namespace foam::newton {
 
 /// What an equilibration did.
 struct NewtonResult {
   EquilibriumReport report;
-  std::int64_t t1 = 0;      ///< films swapped
+  std::vector<TopologicalOperation> swaps;
   int inner_iterations = 0; ///< of MINRES, all in all
 };
 
 /// Notes in a foam what has been done to its arrays.
 inline void note(Foam& foam, const NewtonResult& result) {
-  foam.t1_count += result.t1;
-  foam.topology += static_cast<std::uint64_t>(result.t1);
+  for (const TopologicalOperation& swap : result.swaps) {
+    note_performed(foam, swap);
+  }
   foam.report = result.report;
 }
 
@@ -55,7 +58,7 @@ public:
                        .max_angle_error = measures.angle_error,
                        .max_area_error = measures.area_error,
                        .residual = outcome.residual.largest()},
-            .t1 = problem.swapped(),
+            .swaps = swaps_.take_performed(),
             .inner_iterations = solver_.iterations() - before};
   }
 
@@ -84,19 +87,13 @@ private:
     const Domain& domain() const { return domain_; }
     static bool renew() { return false; }
     void mark_closing(const StepView& step) { swaps_.mark(mesh_, step, t1_length_); }
-    std::int64_t swap_closing() {
-      const std::int64_t swapped = swaps_.perform(mesh_);
-      swapped_ += swapped;
-      return swapped;
-    }
-    std::int64_t swapped() const { return swapped_; }
+    std::int64_t swap_closing() { return swaps_.perform(mesh_); }
 
   private:
     FoamView mesh_;
     Domain domain_;
     SwapsAtOnce<Executor>& swaps_;
     double t1_length_;
-    std::int64_t swapped_ = 0;
   };
 
   Executor& executor_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "base/abort.h"
 #include "mesh/foam.h"
 #include "sampling/sampled_foam.h"
@@ -28,6 +30,9 @@ public:
   virtual const Foam& foam() const = 0;
   /// From one frame to the next, s.
   virtual double frame_time() const = 0;
+
+  /// What happened in the last frame, in its order.
+  virtual std::vector<TopologicalEvent> events() const { return events_of(foam()); }
 
   // Of foam(), without fetching it where it lies on a device.
   virtual const FoamRecord& record() const { return foam(); }

@@ -164,4 +164,17 @@ void Foam::seal_outline() {
   set_walls({outline});
 }
 
+std::vector<TopologicalEvent> events_of(const Foam& foam) {
+  std::vector<TopologicalEvent> events;
+  events.reserve(foam.operations.size());
+  for (const TopologicalOperation& done : foam.operations) {
+    TopologicalEvent& event =
+        events.emplace_back(TopologicalEvent{done.kind, done.time, done.strain, done.place, {}});
+    std::ranges::transform(done.bubbles, event.bubbles.begin(), [&](Bubble b) {
+      return b.is_outside() ? std::int64_t{-1} : foam.bubble_id[b];
+    });
+  }
+  return events;
+}
+
 } // namespace foam

@@ -7,6 +7,7 @@
 
 #include "mesh/fields.h"
 #include "mesh/mesh_access.h"
+#include "mesh/topological_event.h"
 
 namespace foam {
 
@@ -94,7 +95,8 @@ struct Wall {
 /// it on its left; its films are visited counter-clockwise by next_in_bubble. Where a bubble may
 /// stand, an outside may as well.
 struct Foam : FoamArrays<Field>, MeshAccess<Foam>, FoamRecord {
-  std::uint64_t topology = 0; ///< grows with every topological change
+  std::uint64_t topology = 0;                   ///< grows with every topological change
+  std::vector<TopologicalOperation> operations; ///< performed, since these were read last
 
   Slots<Bubble> bubble_slots() const { return Slots<Bubble>(count(bubble_half)); }
   Slots<Film> film_slots() const { return Slots<Film>(count(film_angle)); }
@@ -134,5 +136,8 @@ private:
     return static_cast<Index>(array.size());
   }
 };
+
+/// A foam's operations, by its bubbles' ids.
+std::vector<TopologicalEvent> events_of(const Foam& foam);
 
 } // namespace foam

@@ -108,6 +108,9 @@ void change_units(Foam& foam, const UnitChange& change) {
   for (Vec2& position : foam.position) {
     position = change.place(position);
   }
+  for (TopologicalOperation& operation : foam.operations) {
+    operation.place = change.place(operation.place);
+  }
   for (Exterior& exterior : foam.exterior) {
     exterior = in_units(exterior, change);
   }

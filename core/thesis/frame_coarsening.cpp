@@ -52,10 +52,12 @@ CollapseRules collapse_rules(const ThesisRules& rules) {
 void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
   Host host;
   Field<Film, std::uint8_t> swappable(foam.film_angle.size(), 1);
-  const OperationCount performed = Reservations<Host>(host).run(
-      view_of(foam),
-      CollapseOperations<ThesisRules>{rules, FieldView<Film, std::uint8_t>(swappable.data())});
-  count(foam, performed);
+  Reservations<Host> reservations(host);
+  reservations.run(view_of(foam), CollapseOperations<ThesisRules>{
+                                      rules, FieldView<Film, std::uint8_t>(swappable.data())});
+  for (const TopologicalOperation& operation : reservations.take_performed()) {
+    note_performed(foam, operation);
+  }
 }
 
 void perform_topological_operations(Foam& foam, const ThesisRules& rules,
@@ -129,6 +131,8 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
   const Thresholds limit = thresholds(next, options_.thresholds);
   const double spacing = next.mean_spacing();
   diffuse(next, options_.permeability, options_.time_step);
+  next.time += options_.time_step;
+  next.operations.clear();
   next.ended.reset();
   if (comes_to_an_end(next, limit.t2_area)) {
     foam_.ended = end_at(foam_, {End::Cause::LastTwo}, limit, options_.thresholds);
@@ -144,7 +148,6 @@ bool FrameCoarsening::advance(const AbortCheck& aborted) {
     foam_.ended = end_at(foam_, *obstacle, limit, options_.thresholds);
     return false;
   }
-  next.time += options_.time_step;
   foam_ = std::move(next);
   return true;
 }

@@ -92,8 +92,9 @@ public:
       reservations_.run(mesh,
                         SlideOperations{rules.two_sided(), allowed_.all_set(mesh.bubble_slots())});
     }
-    result.operations = reservations_.run(
-        mesh, CollapseOperations<ThesisRules>{rules, allowed_.all_set(mesh.film_slots())});
+    reservations_.run(mesh,
+                      CollapseOperations<ThesisRules>{rules, allowed_.all_set(mesh.film_slots())});
+    result.add(reservations_.take_performed(), options_.time_step);
     executor_.for_each(mesh.bubble_slots(),
                        KeepAbove{mesh.target_area, kLeastTarget * sums.mean_area()});
     jacobi_.prepare(mesh);

@@ -3,6 +3,7 @@
 // What is performed many at once in a frame (topology/reservations.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "topology/local_operations.h"
@@ -10,25 +11,6 @@
 #include "topology/two_sided.h"
 
 namespace foam {
-
-/// How many operations of each kind were performed.
-struct OperationCount {
-  std::int64_t t1 = 0, t2 = 0, t3 = 0;
-
-  FOAM_HOST_DEVICE bool any() const { return t1 + t2 + t3 > 0; }
-  friend FOAM_HOST_DEVICE OperationCount operator+(OperationCount a, OperationCount b) {
-    return {a.t1 + b.t1, a.t2 + b.t2, a.t3 + b.t3};
-  }
-  friend bool operator==(const OperationCount& a, const OperationCount& b) = default;
-};
-
-/// Counts operations that have been performed on the view of a foam.
-inline void count(Foam& foam, const OperationCount& performed) {
-  foam.t1_count += performed.t1;
-  foam.t2_count += performed.t2;
-  foam.t3_count += performed.t3;
-  foam.topology += static_cast<std::uint64_t>(performed.t1 + performed.t2 + performed.t3);
-}
 
 namespace detail {
 
@@ -76,11 +58,9 @@ template <class Rules> struct CollapseOperations {
             mesh.right(mesh.previous_in_bubble(h)), kWorld};
   }
 
-  template <class Mesh> FOAM_HOST_DEVICE static OperationCount count(const Mesh& mesh, Index i) {
-    if (!is_bubble(mesh, i)) {
-      return {1, 0, 0};
-    }
-    return mesh.sides[Bubble(i)] == 3 ? OperationCount{0, 1, 0} : OperationCount{0, 0, 1};
+  template <class Mesh>
+  FOAM_HOST_DEVICE static TopologicalOperation describe(const Mesh& mesh, Index i) {
+    return is_bubble(mesh, i) ? removal_of(mesh, Bubble(i)) : swap_of(mesh, film(mesh, i));
   }
 
   FOAM_HOST_DEVICE void perform(FoamView& mesh, Index i) const {
@@ -145,10 +125,6 @@ struct SlideOperations {
   }
   template <class Mesh> FOAM_HOST_DEVICE static Touched bubbles(const Mesh& mesh, Bubble bubble) {
     return detail::around_two_sided(mesh, bubble);
-  }
-  template <class Mesh>
-  FOAM_HOST_DEVICE static Performed count(const Mesh& /*mesh*/, Bubble /*bubble*/) {
-    return {1};
   }
   FOAM_HOST_DEVICE void perform(FoamView& mesh, Bubble bubble) const {
     slide_two_sided_bubble(mesh, bubble, rule.sliding_distance());

@@ -12,6 +12,7 @@
 
 #include "mesh/element_measures.h"
 #include "mesh/mesh_access.h"
+#include "mesh/topological_event.h"
 #include "topology/gas_ledger.h"
 #include "topology/prolongation.h"
 
@@ -239,6 +240,35 @@ template <class Mesh> FOAM_APART std::array<Bubble, 2> leave_wall(Mesh& mesh, Ha
 }
 
 } // namespace detail
+
+/// What swap_film() is about to do.
+template <class Mesh> FOAM_HOST_DEVICE TopologicalOperation swap_of(const Mesh& mesh, Film film) {
+  const Half h = film.half();
+  return {.kind = TopologicalOperation::Kind::T1,
+          .place = mesh.position[mesh.start(h)] + 0.5 * mesh.chord(h),
+          .bubbles = {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
+                      mesh.left(mesh.next_around_junction(h.twin()))}};
+}
+
+/// What the removal of a bubble of two or three sides is about to do.
+template <class Mesh>
+FOAM_HOST_DEVICE TopologicalOperation removal_of(const Mesh& mesh, Bubble bubble) {
+  TopologicalOperation removal;
+  const Half first = mesh.bubble_half[bubble];
+  const Index sides = mesh.sides[bubble];
+  removal.kind = sides == 3 ? TopologicalOperation::Kind::T2 : TopologicalOperation::Kind::T3;
+  removal.bubbles[0] = bubble;
+  Vec2 from_first; // of a corner
+  Vec2 sum;
+  Half h = first;
+  for (Index side = 0; side < sides; ++side, h = mesh.next_in_bubble(h)) {
+    removal.bubbles[1 + static_cast<std::size_t>(side)] = mesh.right(h);
+    sum += from_first;
+    from_first += mesh.chord(h);
+  }
+  removal.place = mesh.position[mesh.start(first)] + (1.0 / sides) * sum;
+  return removal;
+}
 
 /// Swaps a film (thesis Figure 3.3): the two bubbles at its ends become neighbours, the two along
 /// it part. The new film lies across the old one, has its chord's length and its tension, and takes

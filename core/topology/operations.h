@@ -4,11 +4,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "mesh/foam.h"
 #include "topology/local_operations.h"
 
 namespace foam {
+
+/// A record's number of operations of a kind.
+std::int64_t& count_of(FoamRecord& record, TopologicalOperation::Kind kind);
+
+/// Notes what has been done to the foam's arrays, at its time.
+void note_performed(Foam& foam, TopologicalOperation performed);
 
 /// Swaps a film (swap_film). \returns the two bubbles that lost a side.
 std::array<Bubble, 2> perform_t1(Foam& foam, Film film);

@@ -12,16 +12,20 @@
 //   key(mesh, c)       by which c reserves, the lowest first, no two alike; kNoReservation where it
 //                      cannot or will not,
 //   bubbles(mesh, c)   the bubbles that it touches,
-//   count(mesh, c)     what it counts for: Performed, or as Performed, and
-//   perform(mesh, c)   what it does. Nothing outside of these bubbles is read or written.
+//   perform(mesh, c)   what it does. Nothing outside of these bubbles is read or written; and, if
+//                      it is one that is reported,
+//   describe(mesh, c)  what perform() is about to do, as a TopologicalOperation.
 // The mesh is a ConstFoamView, and a FoamView where it is changed.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "mesh/foam_view.h"
+#include "mesh/topological_event.h"
 #include "parallel/atomic.h"
 #include "parallel/kernels.h"
 
@@ -39,16 +43,6 @@ template <class Mesh> FOAM_HOST_DEVICE Touched bubbles_around_film(const Mesh& m
   return {mesh.left(h), mesh.right(h), mesh.left(mesh.next_around_junction(h)),
           mesh.left(mesh.next_around_junction(h.twin())), kWorld};
 }
-
-/// How many operations of one kind were performed.
-struct Performed {
-  std::int64_t count = 0;
-
-  FOAM_HOST_DEVICE bool any() const { return count > 0; }
-  friend FOAM_HOST_DEVICE Performed operator+(Performed a, Performed b) {
-    return {a.count + b.count};
-  }
-};
 
 namespace detail {
 
@@ -103,16 +97,36 @@ template <class Operation> struct Commit {
   }
 };
 
-template <class Operation> struct CountReserved {
+struct CountReserved {
+  const std::uint64_t* key = nullptr; ///< by candidate
+
+  FOAM_HOST_DEVICE Index operator()(Index i) const { return key[i] == kNoReservation ? 0 : 1; }
+};
+
+template <class Operation> struct DescribeReserved {
   ConstFoamView mesh;
   Operation operation;
   const std::uint64_t* key = nullptr; ///< by candidate
+  const Index* number = nullptr;      ///< by candidate
+  TopologicalOperation* list = nullptr;
 
-  FOAM_HOST_DEVICE auto operator()(Index i) const {
-    const auto candidate = operation.candidates(mesh)[i];
-    using Count = decltype(operation.count(mesh, candidate));
-    return key[i] == kNoReservation ? Count{} : operation.count(mesh, candidate);
+  FOAM_HOST_DEVICE void operator()(Index i) const {
+    if (key[i] != kNoReservation) {
+      list[number[i]] = operation.describe(mesh, operation.candidates(mesh)[i]);
+    }
   }
+};
+
+struct NumberReserved {
+  CountReserved count;
+  Index* number = nullptr; ///< by candidate
+
+  FOAM_HOST_DEVICE void operator()(Index i) const { number[i] = count(i); }
+};
+
+template <class Operation>
+concept IsReported = requires(const Operation& operation, const ConstFoamView& mesh) {
+  operation.describe(mesh, operation.candidates(mesh)[0]);
 };
 
 } // namespace detail
@@ -123,9 +137,8 @@ public:
   explicit Reservations(Executor& executor) : executor_(executor) {}
 
   /// One round: those who hold all that they have reserved go ahead. At least the first of all
-  /// does. \returns the sum of operation.count(mesh, c) over them, taken before they change the
-  /// mesh.
-  template <class Operation> auto round(const FoamView& mesh, const Operation& operation) {
+  /// does. \returns how many
+  template <class Operation> Index round(const FoamView& mesh, const Operation& operation) {
     const ConstFoamView seen = const_view(mesh);
     const Index candidates = operation.candidates(seen).size();
     key_.resize(place_of(candidates));
@@ -135,27 +148,49 @@ public:
                        detail::Reserve<Operation>{seen, operation, key_.data(), lowest_.data()});
     executor_.for_each(candidates,
                        detail::Withdraw<Operation>{seen, operation, key_.data(), lowest_.data()});
-    const detail::CountReserved<Operation> count{seen, operation, key_.data()};
-    using Count = decltype(count(0));
-    const Count performed = executor_.reduce(candidates, Count{}, count, parallel::Add{});
+    const Index performed =
+        executor_.reduce(candidates, Index{0}, detail::CountReserved{key_.data()}, parallel::Add{});
+    if constexpr (detail::IsReported<Operation>) {
+      if (performed > 0) {
+        describe(seen, operation, candidates, performed);
+      }
+    }
     executor_.for_each(candidates, detail::Commit<Operation>{mesh, operation, key_.data()});
     return performed;
   }
 
-  /// Rounds until there is no candidate left. \returns the sum over all rounds.
-  template <class Operation> auto run(const FoamView& mesh, const Operation& operation) {
-    auto total = round(mesh, operation);
-    for (auto more = total; more.any();) {
-      more = round(mesh, operation);
-      total = total + more;
+  /// Rounds until there is no candidate left. \returns how many operations were performed
+  template <class Operation> std::int64_t run(const FoamView& mesh, const Operation& operation) {
+    std::int64_t total = 0;
+    while (const Index performed = round(mesh, operation)) {
+      total += performed;
     }
     return total;
   }
 
+  /// Those that are reported, of all rounds since this was asked last; by rounds, and in each by
+  /// candidates.
+  std::vector<TopologicalOperation> take_performed() { return std::exchange(performed_, {}); }
+
 private:
+  template <class Operation>
+  void describe(const ConstFoamView& mesh, const Operation& operation, Index candidates,
+                Index performed) {
+    number_.resize(place_of(candidates) + 1);
+    executor_.for_each(candidates, detail::NumberReserved{{key_.data()}, number_.data()});
+    executor_.exclusive_scan(number_.data(), candidates);
+    typename Executor::template Array<TopologicalOperation> list(place_of(performed));
+    executor_.for_each(candidates, detail::DescribeReserved<Operation>{
+                                       mesh, operation, key_.data(), number_.data(), list.data()});
+    const std::vector<TopologicalOperation> described = fetch(std::move(list));
+    performed_.insert(performed_.end(), described.begin(), described.end());
+  }
+
   Executor& executor_;
   typename Executor::template Array<std::uint64_t> key_;
   typename Executor::template Array<std::uint64_t> lowest_;
+  typename Executor::template Array<Index> number_; ///< of a candidate among those that go ahead
+  std::vector<TopologicalOperation> performed_;
 };
 
 /// A key that comes before another if its rank is lower, else its size (≥ 0; to single precision),

@@ -10,6 +10,7 @@
 #include "mesh/hosted_walls.h"
 #include "mesh/validate.h"
 #include "topology/local_operations.h"
+#include "topology/operations.h"
 
 namespace foam {
 namespace {
@@ -158,8 +159,9 @@ void perform_touch(Foam& foam, const Approach& approach) {
   detail::bend_by_pressure(foam, h);
   detail::bend_by_pressure(foam, ahead);
   foam.exterior[outside].host = kNone;
-  ++foam.t1_count;
-  ++foam.topology;
+  note_performed(foam, {.kind = TopologicalOperation::Kind::T1,
+                        .place = foam.position[a],
+                        .bubbles = {host, beyond, wall, wall}});
   assert(validate(foam).empty());
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "coarsening/coarsening.h"
 #include "coarsening/frame_result.h"
@@ -63,6 +64,8 @@ public:
   }
 
   const FoamRecord& record() const override { return foam_; }
+
+  std::vector<TopologicalEvent> events() const override { return events_of(foam_); }
 
   SampledFoam sample(double chord_error) override {
     SampledFoam sampled = sampler_.sample(const_view(now_.view()), names_, chord_error);

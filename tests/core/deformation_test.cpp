@@ -86,7 +86,7 @@ TEST(TorusDeformation, OfHexagonsIsASawTooth) {
     total += sigma.xy;
     ASSERT_TRUE(deformation.advance({}));
     EXPECT_LE(foam.report.residual, 1e-9);
-    for (const ShearedT1& t1 : deformation.t1s()) {
+    for (const TopologicalEvent& t1 : deformation.events()) {
       const int tooth = found / foam.bubble_count() + 1;
       EXPECT_NEAR(t1.strain, tooth * kYieldStrain, 1e-9);
       ++found;
@@ -134,15 +134,15 @@ TEST(TorusDeformation, FindsTheFirstT1) {
   for (const double step : {0.001, 0.1}) {
     TorusDeformation deformation(options(kSimple, step));
     deformation.restart(rest);
-    std::vector<ShearedT1> found;
+    std::vector<TopologicalEvent> found;
     for (int frame = 0; frame < std::lround(0.6 / step); ++frame) {
       ASSERT_TRUE(deformation.advance({}));
       EXPECT_LE(deformation.foam().report.residual, 1e-9);
-      found.insert(found.end(), deformation.t1s().begin(), deformation.t1s().end());
+      std::ranges::copy(deformation.events(), std::back_inserter(found));
     }
     ASSERT_GE(found.size(), 1U);
     EXPECT_NEAR(found[0].strain, 0.393983979975, 1e-9);
-    EXPECT_EQ(std::minmax(found[0].parted[0], found[0].parted[1]),
+    EXPECT_EQ(std::minmax(found[0].bubbles[0], found[0].bubbles[1]),
               std::minmax(std::int64_t{11}, std::int64_t{41}));
     energies.push_back(deformation.foam().energy());
     std::cout << "first T1 at " << foam::number(found[0].strain) << '\n';

@@ -58,7 +58,7 @@ TEST_P(ParallelFrames, DoWhatSerialOnesDo) {
                   1e-6 * std::abs(result.end->area_ahead));
       break;
     }
-    count(foam, result.operations);
+    note_operations(foam, result);
     const Foam& expected = serial.foam();
     ASSERT_EQ(foam.t1_count, expected.t1_count) << frame;
     ASSERT_EQ(foam.t2_count, expected.t2_count) << frame;

@@ -148,6 +148,10 @@ void read_state(vtkFieldData* data, FilmSet& set) {
     set.time_step = single(data, "TimeStep");
     set.thresholds = {single(data, "T1Length"), single(data, "T2Area")};
   }
+  if (data->HasArray("StrainDirection")) {
+    set.strain = single(data, "Strain");
+    set.strain_direction = static_cast<int>(single_integer(data, "StrainDirection", -1, 1));
+  }
   if (data->HasArray("GrowthConstant")) {
     set.growth_constant = single(data, "GrowthConstant");
   }

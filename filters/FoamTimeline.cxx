@@ -51,7 +51,7 @@ void Keyframes::thin() {
 
 FoamTimeline::FoamTimeline(FilmSet start, const Settings& settings)
     : start_(std::move(start)), settings_(settings),
-      coarsening_(make_coarsening(settings.coarsening)) {
+      evolution_(make_evolution(settings.evolution)) {
   if (settings.keyframe_interval < 1) {
     fail("KeyframeInterval must be at least 1, but is ", settings.keyframe_interval);
   }
@@ -78,7 +78,7 @@ void FoamTimeline::go_to(int frame, const AbortCheck& aborted, const Reached& re
 }
 
 void FoamTimeline::begin_at(int frame, const FilmSet& films) {
-  coarsening_->restart(foam_of(films));
+  evolution_->restart(foam_of(films));
   interrupted_ = false;
   frame_ = frame;
 }
@@ -90,15 +90,19 @@ void FoamTimeline::begin_at_keyframe(int frame) {
 
 bool FoamTimeline::advance(const AbortCheck& aborted) {
   interrupted_ = true;
-  if (!coarsening_->advance(aborted)) {
+  if (!evolution_->advance(aborted)) {
     end_ = frame_;
-    why_ = coarsening_->record().ended;
+    why_ = evolution_->record().ended;
     interrupted_ = false;
     return false;
   }
   ++frame_;
+  if (static_cast<std::size_t>(frame_) == events_until_.size()) {
+    std::ranges::copy(evolution_->events(), std::back_inserter(events_));
+    events_until_.push_back(events_.size());
+  }
   if (frame_ % settings_.keyframe_interval == 0) {
-    FilmSet films = film_set(coarsening_->foam());
+    FilmSet films = film_set(evolution_->foam());
     films.time = time();
     begin_at(frame_, films);
     keyframes_.insert(frame_, std::move(films));
@@ -112,14 +116,18 @@ double FoamTimeline::time() const {
 }
 
 FoamRecord FoamTimeline::record() const {
-  FoamRecord record = coarsening_->record();
+  FoamRecord record = evolution_->record();
   record.time = time();
   record.ended = frame_ == end_ ? why_ : std::nullopt;
   return record;
 }
 
+std::span<const TopologicalEvent> FoamTimeline::events() const {
+  return {events_.data(), events_until_[static_cast<std::size_t>(frame_)]};
+}
+
 SampledFoam FoamTimeline::sample(double chord_error) const {
-  SampledFoam sampled = coarsening_->sample(chord_error);
+  SampledFoam sampled = evolution_->sample(chord_error);
   sampled.record = record();
   return sampled;
 }

@@ -6,16 +6,17 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "coarsening/options.h"
+#include "engines/evolution_options.h"
 #include "evolution/evolution.h"
 #include "mesh/film_set.h"
 
 namespace foam::filters {
 
-/// Frames of a coarsening foam that are kept to return to, up to a limit of memory.
+/// Frames of a foam that are kept to return to, up to a limit of memory.
 class Keyframes {
 public:
   /// \param bytes above it every other keyframe is dropped, frame 0 never.
@@ -32,16 +33,16 @@ private:
   std::size_t limit_ = 0;
 };
 
-/// A coarsening foam that can be asked for any frame, in any order. Composes an Evolution.
+/// A foam that evolves and can be asked for any frame, in any order. Composes an Evolution.
 ///
 /// Frame 0 is the foam that it begins with. Going forward advances; going back, or forward over a
-/// keyframe, starts from that keyframe and replays. At every interval-th frame the coarsening
+/// keyframe, starts from that keyframe and replays. At every interval-th frame the evolution
 /// begins anew from the list of its films, whether or not that frame is kept: so a frame has the
 /// same bits however it is reached, and also when a run begins with the films of such a frame.
 class FoamTimeline {
 public:
   struct Settings {
-    CoarseningOptions coarsening;
+    EvolutionOptions evolution;
     int keyframe_interval = 10; ///< frames, ≥ 1
     friend bool operator==(const Settings& a, const Settings& b) = default;
   };
@@ -68,10 +69,12 @@ public:
   /// Its time, s.
   double start_time() const { return start_.time; }
   /// Δt, s, the automatic one if that is asked for.
-  double time_step() const { return coarsening_->record().time_step; }
+  double time_step() const { return evolution_->frame_time(); }
   int frame() const { return frame_; }
   /// What is known about the foam of the current frame as a whole.
   FoamRecord record() const;
+  /// What has happened since frame 0, in its order.
+  std::span<const TopologicalEvent> events() const;
   /// The foam of the current frame as it is shown (sampling/sampled_foam.h).
   SampledFoam sample(double chord_error) const;
   /// The last frame, once it is known that the foam cannot go on from it. Its record says why.
@@ -86,10 +89,12 @@ private:
 
   FilmSet start_;
   Settings settings_;
-  std::unique_ptr<Evolution> coarsening_;
+  std::unique_ptr<Evolution> evolution_;
   Keyframes keyframes_;
   int frame_ = 0;
-  bool interrupted_ = false; ///< what the coarsening keeps between frames may not be as it was
+  std::vector<TopologicalEvent> events_;     ///< of all frames that have been reached
+  std::vector<std::size_t> events_until_{0}; ///< how many of them, up to each frame
+  bool interrupted_ = false; ///< what the evolution keeps between frames may not be as it was
   std::optional<int> end_;
   std::optional<End> why_; ///< the foam cannot go on from there
 };

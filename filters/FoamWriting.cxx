@@ -191,6 +191,10 @@ void write_state(const SampledFoam& foam, vtkFieldData* data) {
   add_value<vtkIdTypeArray>(data, "T2Count", record.t2_count);
   add_value<vtkIdTypeArray>(data, "T3Count", record.t3_count);
   write_end(record, data);
+  if (record.strain_direction != 0) {
+    add_value<vtkDoubleArray>(data, "Strain", record.strain);
+    add_value<vtkIntArray>(data, "StrainDirection", record.strain_direction);
+  }
   if (record.time_step > 0) {
     add_value<vtkDoubleArray>(data, "TimeStep", record.time_step);
     add_value<vtkDoubleArray>(data, "GrowthConstant", record.growth_constant);
@@ -235,6 +239,35 @@ void write_bubbles(const SampledFoam& foam, vtkPolyData* bubbles) {
   add_bubble_columns(bubbles->GetCellData(), polygons.each);
   add_value<vtkDoubleArray>(bubbles->GetFieldData(), "TimeValue", foam.record.time);
   write_end(foam.record, bubbles->GetFieldData());
+}
+
+void write_events(std::span<const TopologicalEvent> events, vtkPolyData* vertices) {
+  using Event = TopologicalEvent;
+  std::vector<Point3> places;
+  places.reserve(events.size());
+  for (const Event& event : events) {
+    places.push_back({event.place.x, event.place.y, 0});
+  }
+  std::vector<std::int64_t> offsets(events.size() + 1);
+  std::iota(offsets.begin(), offsets.end(), std::int64_t{0});
+  vertices->Initialize();
+  vertices->SetPoints(points_of(places));
+  vertices->SetVerts(cells_of(offsets, {offsets.begin(), offsets.end() - 1}));
+  auto* data = vertices->GetPointData();
+  add_column<vtkIntArray>(data, "Kind", events, [](const Event& e) { return e.kind; });
+  add_column<vtkDoubleArray>(data, "Time", events, [](const Event& e) { return e.time; });
+  add_column<vtkDoubleArray>(data, "Strain", events, [](const Event& e) { return e.strain; });
+  vtkNew<vtkIdTypeArray> bubbles;
+  bubbles->SetName("Bubbles");
+  bubbles->SetNumberOfComponents(4);
+  bubbles->SetNumberOfTuples(static_cast<vtkIdType>(events.size()));
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    for (int k = 0; k < 4; ++k) {
+      bubbles->SetTypedComponent(static_cast<vtkIdType>(i), k,
+                                 events[i].bubbles[static_cast<std::size_t>(k)]);
+    }
+  }
+  data->AddArray(bubbles);
 }
 
 } // namespace foam::filters

@@ -36,12 +36,17 @@ void write_summary(const Foam& foam, const FoamStatistics& figures, vtkTable* ta
   add_cell<vtkDoubleArray>(table, "StressXY", figures.stress.xy);
   add_cell<vtkDoubleArray>(table, "NormalStressDifference",
                            normal_stress_difference(figures.stress));
+  add_cell<vtkDoubleArray>(table, "Strain", foam.strain);
   add_cell<vtkIdTypeArray>(table, "T1Count", foam.t1_count);
   add_cell<vtkIdTypeArray>(table, "T2Count", foam.t2_count);
   add_cell<vtkIdTypeArray>(table, "T3Count", foam.t3_count);
   add_cell<vtkIntArray>(table, "Iterations", foam.report.iterations);
   add_cell<vtkDoubleArray>(table, "MaxAngleError", foam.report.max_angle_error);
   add_cell<vtkDoubleArray>(table, "MaxAreaError", foam.report.max_area_error);
+}
+
+void write_shear_modulus(double modulus, vtkTable* table) {
+  add_cell<vtkDoubleArray>(table, "ShearModulus", modulus);
 }
 
 void write_by_sides(const FoamStatistics& figures, vtkTable* table) {

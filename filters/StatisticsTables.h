@@ -15,6 +15,9 @@ namespace foam::filters {
 /// Iterations, MaxAngleError (rad), MaxAreaError.
 void write_summary(const Foam& foam, const FoamStatistics& figures, vtkTable* table);
 
+/// Adds to the summary the modulus of simple shear at the strain that the foam has, N/cm².
+void write_shear_modulus(double modulus, vtkTable* table);
+
 /// One row per number of sides: Sides, Count, Fraction, MeanNeighbourSides, AboavProduct,
 /// AboavIdeal, MeanArea.
 void write_by_sides(const FoamStatistics& figures, vtkTable* table);

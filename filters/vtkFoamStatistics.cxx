@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -20,6 +21,8 @@
 #include "MeasuredSides.h"
 #include "PipelineRequest.h"
 #include "StatisticsTables.h"
+#include "base/error.h"
+#include "deformation/moduli.h"
 #include "physics/equilibrium_measures.h"
 
 vtkStandardNewMacro(vtkFoamStatistics);
@@ -92,6 +95,10 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
     }
     const auto figures = foam::statistics(foam, this->IncludeBoundary);
     foam::filters::write_summary(foam, figures, vtkTable::GetData(outputs, 0));
+    if (this->ShearModulus) {
+      foam::filters::write_shear_modulus(this->MeasureShearModulus(foam),
+                                         vtkTable::GetData(outputs, 0));
+    }
     foam::filters::write_by_sides(figures, vtkTable::GetData(outputs, 1));
     foam::filters::add_bubble_columns(vtkTable::GetData(outputs, 2)->GetRowData(), figures.each);
     WriteDistribution(figures, vtkTable::GetData(outputs, 3));
@@ -101,7 +108,18 @@ int vtkFoamStatistics::RequestData(vtkInformation* request, vtkInformationVector
   return 1;
 }
 
+/// Not a number if it has none.
+double vtkFoamStatistics::MeasureShearModulus(const foam::Foam& foam) {
+  try {
+    return foam::shear_modulus(foam, foam::DeformationKind::SimpleShear);
+  } catch (const foam::FoamError& error) {
+    vtkWarningMacro("There is no ShearModulus: " << error.what());
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 void vtkFoamStatistics::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "IncludeBoundary: " << this->IncludeBoundary << "\n";
+  os << indent << "IncludeBoundary: " << this->IncludeBoundary << "\n"
+     << indent << "ShearModulus: " << this->ShearModulus << "\n";
 }

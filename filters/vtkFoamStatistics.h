@@ -8,10 +8,11 @@
  * Port 0, Summary, one row: Time (s), Bubbles, MeanSides, Mu2 (second moment of the number of sides
  * about six), MeanArea (cm²), AreaSecondMoment ⟨A²⟩/⟨A⟩², Energy (N), AboavA (a of Aboav–Weaire's
  * law), StressXX, StressYY, StressXY (N/cm², tension positive), NormalStressDifference (σ_xx −
- * σ_yy), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad), MaxAreaError (relative).
- * Stress is that of the whole foam; on a torus and in a container pressures have a constant in
- * common that means nothing, and StressXX and StressYY have it too. The two errors are measured:
- * where films say that they are in equilibrium and are not, there is a warning.
+ * σ_yy), Strain (of FoamDeform), T1Count, T2Count, T3Count, Iterations, MaxAngleError (rad),
+ * MaxAreaError (relative). Stress is that of the whole foam; on a torus and in a container
+ * pressures have a constant in common that means nothing, and StressXX and StressYY have it too.
+ * The two errors are measured: where films say that they are in equilibrium and are not, there is a
+ * warning.
  *
  * Port 1, BySides, one row per number of sides n: Sides, Count, Fraction p(n), MeanNeighbourSides
  * m(n), AboavProduct n·m(n), AboavIdeal 5n + 7.4, MeanArea ⟨A_n⟩/⟨A⟩.
@@ -34,6 +35,12 @@
 #include "vtkFoamFiltersModule.h" // for the export macro
 #include "vtkTableAlgorithm.h"
 
+#ifndef __VTK_WRAP__
+namespace foam {
+struct Foam;
+} // namespace foam
+#endif
+
 class VTKFOAMFILTERS_EXPORT vtkFoamStatistics : public vtkTableAlgorithm {
 public:
   static vtkFoamStatistics* New();
@@ -50,6 +57,17 @@ public:
   vtkBooleanMacro(IncludeBoundary, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether Summary has ShearModulus, G = dσ_xy/dγ (N/cm²) of a torus in simple shear along x, at
+   * the strain that it has: by one solution of Newton's equations. A foam that is no torus, or not
+   * in equilibrium, has none, and is warned about. Default off.
+   */
+  vtkSetMacro(ShearModulus, bool);
+  vtkGetMacro(ShearModulus, bool);
+  vtkBooleanMacro(ShearModulus, bool);
+  ///@}
+
 protected:
   vtkFoamStatistics();
   ~vtkFoamStatistics() override = default;
@@ -64,7 +82,12 @@ private:
   vtkFoamStatistics(const vtkFoamStatistics&) = delete;
   void operator=(const vtkFoamStatistics&) = delete;
 
+#ifndef __VTK_WRAP__
+  double MeasureShearModulus(const foam::Foam& foam);
+#endif
+
   bool IncludeBoundary = false;
+  bool ShearModulus = false;
 };
 
 #endif

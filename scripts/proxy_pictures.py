@@ -118,6 +118,28 @@ def coarsen(run):
     return with_colours_of_sides(side_by_side(parts, 3))
 
 
+def deform():
+    """Three strains: bubbles by their shear stress, and where T1s were since the one before."""
+    foam = FoamFromPoints(Input=FoamPoints(NumberOfPoints=300, Seed=2), Boundary="Periodic", TargetAreas="Uniform")
+    run = FoamDeform(Input=foam, StrainStep=0.02, NumberOfFrames=100)
+    scene = Scene((370, 370), (8.7, 8.7), 21)
+    events = Threshold(Input=OutputPort(run, 2), Scalars=["POINTS", "Time"])
+    parts = []
+    for strain in (0, 1, 2):
+        scene.view.ViewTime = strain
+        SetProperties(events, LowerThreshold=strain - 1, UpperThreshold=strain)
+        bubbles = scene.show(OutputPort(run, 1), "Surface", Ambient=1, Diffuse=0)
+        ColorBy(bubbles, ("CELLS", "Stress", "XY"))
+        colours = GetColorTransferFunction("Stress")
+        colours.ApplyPreset("Cool to Warm", True)
+        colours.RescaleTransferFunction(-0.5, 0.5)
+        scene.show(OutputPort(run, 0), "Surface", LineWidth=1.6, Ambient=1, Diffuse=0)
+        scene.show(events, "Point Gaussian", GaussianRadius=0.17, ShaderPreset="Plain circle",
+                   AmbientColor=[0.05, 0.45, 0.15], DiffuseColor=[0.05, 0.45, 0.15], ColorArrayName=[None, ""])
+        parts.append((f"strain {strain}", scene.picture()))
+    return side_by_side(parts, 3)
+
+
 def series(run):
     parts = time_steps(run, range(0, 60, 12), Scene((216, 216), (5, 5), 8), "films_{frame:04d}.vtp", FilmWidth=2)
     return side_by_side(parts, 5)
@@ -230,7 +252,7 @@ if __name__ == "__main__":
     for name, made in (("proxy_points", points), ("proxy_from_points", from_points),
                        ("proxy_containers", containers), ("proxy_evolver", evolver),
                        ("proxy_polygons", polygons), ("proxy_labels", labels),
-                       ("proxy_coarsen", lambda: coarsen(run)), ("proxy_series", lambda: series(run)),
+                       ("proxy_coarsen", lambda: coarsen(run)), ("proxy_deform", deform), ("proxy_series", lambda: series(run)),
                        ("proxy_statistics", lambda: statistics(run)), ("proxy_ensemble", ensemble)):
         made().save(folder / f"{name}.png")
     Disconnect()  # closes the views before Python ends

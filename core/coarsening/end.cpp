@@ -78,6 +78,11 @@ End end_at(const Foam& last, const Obstacle& obstacle, const Thresholds& limit,
 
 std::string reason(const End& end) {
   std::ostringstream text;
+  if (end.cause == End::Cause::NotStrained) {
+    text << "no equilibrium of its " << end.bubbles << " bubbles was found at a strain of "
+         << end.strain << ". More MaximumIterations or a larger Tolerance may help";
+    return text.str();
+  }
   text << "bubble " << end.bubble << ", with " << end.sides << " sides and an area of " << end.area
        << " cm², ";
   switch (end.cause) {
@@ -108,6 +113,8 @@ std::string reason(const End& end) {
            << " cm². A smaller TimeStep, other thresholds or more MaximumIterations may help";
     }
     break;
+  case End::Cause::NotStrained:
+    break; // has no bubble
   }
   return text.str();
 }

@@ -4,12 +4,12 @@
 namespace foam {
 namespace {
 
-/// Of a cell, that a junction may lie outside it.
-constexpr double kFar = 0.5;
+/// Of a cell, that a junction may lie outside it, so that none on its edge goes back and forth.
+constexpr double kBeyond = 1e-3;
 
-bool is_far(Vec2 coordinates) {
-  const auto far = [](double x) { return x < -kFar || x > 1 + kFar; };
-  return far(coordinates.x) || far(coordinates.y);
+bool is_outside(Vec2 coordinates) {
+  const auto outside = [](double x) { return x < -kBeyond || x > 1 + kBeyond; };
+  return outside(coordinates.x) || outside(coordinates.y);
 }
 
 } // namespace
@@ -32,7 +32,7 @@ void make_compact(Foam& foam) {
     }
   }
   for (const Junction j : foam.junction_slots()) {
-    if (foam.has_junction(j) && is_far(lattice.coordinates(foam.position[j]))) {
+    if (foam.has_junction(j) && is_outside(lattice.coordinates(foam.position[j]))) {
       const Wrap cell = lattice.cell_of(foam.position[j]);
       foam.position[j] -= lattice.period(cell);
       for (const Half h : foam.junction_half[j]) {

@@ -22,8 +22,8 @@ inline Tensor velocity_gradient(DeformationKind kind) {
 /// Half-angles and pressures stay, so that it is out of equilibrium.
 void strain(Foam& foam, const Tensor& deformation);
 
-/// Describes a torus by its shortest periods (reduced), and by images of its junctions that are not
-/// far from its cell. The foam stays where it is.
+/// Describes a torus by its shortest periods (reduced), and by the images of its junctions in its
+/// cell. The foam stays where it is.
 void make_compact(Foam& foam);
 
 } // namespace foam

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "equilibrium/factorising_solver.h"
+#include "mesh/units.h"
 
 namespace foam {
 namespace {
@@ -43,8 +44,11 @@ SymmetricTensor stress_change(const Foam& foam, const Tensor& flow) {
   return (1 / foam.surroundings.lattice.area()) * sum;
 }
 
-double shear_modulus(const Foam& foam, DeformationKind kind) {
-  const SymmetricTensor change = stress_change(foam, velocity_gradient(kind));
+double shear_modulus(Foam foam, DeformationKind kind) {
+  const UnitChange own = own_units(foam, UnitSteps::Fine);
+  change_units(foam, own);
+  const SymmetricTensor change =
+      own.inverse().pressure() * stress_change(foam, velocity_gradient(kind));
   return kind == DeformationKind::SimpleShear ? change.xy : 0.25 * (change.xx - change.yy);
 }
 

@@ -15,6 +15,6 @@ SymmetricTensor stress_change(const Foam& foam, const Tensor& flow);
 /// G = (1/A)·d²E/dγ², N/cm², at the strain that the torus in equilibrium has: dσ_xy/dγ in simple
 /// shear, ¼·d(σ_xx − σ_yy)/dγ in pure shear, so that an isotropic foam has the same in both.
 /// \throws FoamError likewise
-double shear_modulus(const Foam& foam, DeformationKind kind);
+double shear_modulus(Foam foam, DeformationKind kind);
 
 } // namespace foam

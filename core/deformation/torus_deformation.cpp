@@ -83,9 +83,13 @@ bool TorusDeformation::advance(const AbortCheck& aborted) {
     throw;
   }
   if (!covered) {
+    const double strain = foam_.strain;
     undo(std::move(before));
     newton_.forget();
-    foam_.ended.emplace().bubbles = foam_.bubble_count(); // for want of an equilibrium
+    End& end = foam_.ended.emplace();
+    end.cause = End::Cause::NotStrained;
+    end.bubbles = foam_.bubble_count();
+    end.strain = strain;
     return false;
   }
   make_compact(foam_);
@@ -122,7 +126,7 @@ void TorusDeformation::turn_at_amplitude() {
 
 /// From one T1 to the next. \param way > 0, in the direction that the strain goes
 bool TorusDeformation::strain_by(double way, const AbortCheck& aborted) {
-  if (!foam_.report.converged && !relax(0, options_.equilibrator.maximum_iterations, aborted)) {
+  if (!foam_.report.converged && !relax_swapping(aborted)) {
     return false;
   }
   while (true) {
@@ -135,7 +139,7 @@ bool TorusDeformation::strain_by(double way, const AbortCheck& aborted) {
       const double rest = std::min(swap_closing(wait), way);
       follow(rest);
       way -= rest;
-      if (!relax_after_t1(aborted)) {
+      if (!relax_swapping(aborted)) {
         return false;
       }
       continue;
@@ -265,7 +269,7 @@ bool TorusDeformation::arrive(double& way, const AbortCheck& aborted) {
 /// Goes by a way of strain from where the equilibria of this topology end to another one.
 bool TorusDeformation::jump(double way, const AbortCheck& aborted) {
   follow(way);
-  return relax_after_t1(aborted);
+  return relax_swapping(aborted);
 }
 
 /// Moves everything by a way of strain s along the response v to second order, from
@@ -307,7 +311,7 @@ bool TorusDeformation::relax(double t1_length, int most_iterations, const AbortC
   return report.converged;
 }
 
-bool TorusDeformation::relax_after_t1(const AbortCheck& aborted) {
+bool TorusDeformation::relax_swapping(const AbortCheck& aborted) {
   const Foam swapped = foam_;
   const int most = options_.equilibrator.maximum_iterations;
   if (relax(kSwapLength, most, aborted)) {

@@ -58,7 +58,7 @@ private:
   bool jump(double way, const AbortCheck& aborted);
   void follow(double way);
   bool relax(double t1_length, int most_iterations, const AbortCheck& aborted);
-  bool relax_after_t1(const AbortCheck& aborted);
+  bool relax_swapping(const AbortCheck& aborted);
   double reachable_tolerance() const;
   void undo(Foam foam);
 

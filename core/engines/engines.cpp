@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "engines/engines.h"
 
+#include <variant>
+
 #include "base/error.h"
 #include "coarsening/event_coarsening.h"
 #include "coarsening/newton_frame_coarsening.h"
@@ -69,6 +71,12 @@ std::unique_ptr<Evolution> make_deformation(const DeformationOptions& options) {
       options, [](const DeformationOptions& asked, const Foam& /*foam*/) {
         return std::make_unique<TorusDeformation>(asked);
       });
+}
+
+std::unique_ptr<Evolution> make_evolution(const EvolutionOptions& options) {
+  const auto* const coarsening = std::get_if<CoarseningOptions>(&options.kind);
+  return coarsening != nullptr ? make_coarsening(*coarsening)
+                               : make_deformation(std::get<DeformationOptions>(options.kind));
 }
 
 } // namespace foam

@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "coarsening/options.h"
-#include "deformation/options.h"
+#include "engines/evolution_options.h"
 #include "equilibrium/equilibrator.h"
 #include "evolution/evolution.h"
 
@@ -21,5 +20,8 @@ std::unique_ptr<Evolution> make_coarsening(const CoarseningOptions& options);
 
 /// What deforms a torus. \throws FoamError for options out of range.
 std::unique_ptr<Evolution> make_deformation(const DeformationOptions& options);
+
+/// The one or the other. \throws FoamError likewise
+std::unique_ptr<Evolution> make_evolution(const EvolutionOptions& options);
 
 } // namespace foam

@@ -42,10 +42,11 @@ enum class ThresholdKind : std::uint8_t {
 /// Why a foam cannot go on, in figures of the last one that there is.
 struct End {
   enum class Cause : std::uint8_t {
-    LastTwo,      ///< a bubble is to vanish that is one of the last two
-    AllVanish,    ///< the largest bubble is to vanish, and with it all others
-    CannotVanish, ///< a bubble is to vanish, and no operation takes it away
-    NoEquilibrium ///< none was found for what comes next
+    LastTwo,       ///< a bubble is to vanish that is one of the last two
+    AllVanish,     ///< the largest bubble is to vanish, and with it all others
+    CannotVanish,  ///< a bubble is to vanish, and no operation takes it away
+    NoEquilibrium, ///< none was found for what comes next
+    NotStrained    ///< none was found at a strain that it was to go through
   };
 
   Cause cause = Cause::NoEquilibrium;
@@ -57,6 +58,7 @@ struct End {
   ThresholdKind thresholds = ThresholdKind::Automatic; ///< where those come from
   bool least_t2_area = false;                          ///< no smaller one would be in force
   Index bubbles = 0;                                   ///< that are left
+  double strain = 0;                                   ///< at which there was no equilibrium
 
   friend bool operator==(const End&, const End&) = default;
 };

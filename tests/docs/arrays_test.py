@@ -71,6 +71,12 @@ class Outputs(unittest.TestCase):
             self.check("FoamFromPoints", "Output 0: films", "field array", films.GetFieldData(), *more)
             self.check("FoamFromPoints", "Output 1: bubbles", "cell array", bubbles.GetCellData())
 
+    def test_events(self):
+        deform = FoamDeform(Input=FoamFromPoints(Input=FoamPoints(NumberOfPoints=30), Boundary="Periodic"))
+        self.names.update(deform=deform)
+        for maker in ("coarsen", "deform"):
+            self.check("FoamCoarsen", "Output 2: events", "point array", self.output(maker, 2).GetPointData())
+
     def test_arrays_that_are_there_sometimes(self):
         points = FoamPoints(NumberOfPoints=60)
         torus = FoamFromPoints(Input=points, Boundary="Periodic", PeriodVectors=[8, 0, 2, 7.5])
@@ -83,13 +89,16 @@ array.InsertNextValue(0.1)
 output.GetFieldData().AddArray(array)""")
         self.names.update(torus=torus, own=FoamCoarsen(Input=pressure, NumberOfFrames=1))
         self.names.update(walled=FoamFromPoints(Input=points, Boundary="Container"))
+        sheared = FoamDeform(Input=torus, NumberOfFrames=1)
+        sheared.UpdatePipeline(0.01)
         own, skewed, walled = self.output("own"), self.output("torus"), self.output("walled")
+        sheared = sheared.GetClientSideObject().GetOutputDataObject(0)
         few = FoamCoarsen(Input=FoamFromPoints(Input=FoamPoints(NumberOfPoints=4)), TimeStep=100, NumberOfFrames=1)
         few.UpdatePipeline(100)
         ended = few.GetClientSideObject().GetOutputDataObject(0)
         for kind, found in (("cell array", {*names_of(own.GetCellData()), *names_of(walled.GetCellData())}),
                             ("field array", {*names_of(own.GetFieldData()), *names_of(skewed.GetFieldData()), *names_of(walled.GetFieldData()),
-                                             *names_of(ended.GetFieldData())})):
+                                             *names_of(ended.GetFieldData()), *names_of(sheared.GetFieldData())})):
             page = "FoamFromPoints", "Output 0: films", kind
             self.assertEqual(found - set(listed(*page)), set(listed(*page, sometimes=True)))
 

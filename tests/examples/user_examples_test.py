@@ -71,7 +71,7 @@ class Example(unittest.TestCase):
 class Short(unittest.TestCase):
     def test_examples_are_short_enough_to_be_read(self):
         for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture", "ensemble",
-                     "foam_in_channel", "foam_in_outline"):
+                     "foam_in_channel", "foam_in_outline", "shear"):
             self.assertLessEqual(len((EXAMPLES / f"{name}.py").read_text().splitlines()), 60, name)
 
 
@@ -163,6 +163,24 @@ class Ensemble(Example):
         mu2 = sum((int(row["Sides"]) - 6)**2 * float(row["Mean"]) for row in rows if row["Quantity"] == "Fraction")
         self.assertAlmostEqual(float(foams["Mu2"]["Mean"]), mu2, places=12)
         self.assertGreater(float(foams["GrowthRate"]["Mean"]), 0)
+
+
+class Shear(Example):
+    def test_energy_is_the_work_that_was_done(self):
+        words = self.run_example("shear.py", "--bubbles", 30, "--strain", 0.4, "--step", 0.02)
+        self.assertIn("modulus", words)
+        rows = rows_of(self.folder / "shear.csv")
+        self.assertEqual(len(rows), 21)
+        area, quiet = rows[0]["MeanArea"] * 30, 0
+        for before, after in zip(rows, rows[1:]):
+            if before["T1Count"] == after["T1Count"]:
+                quiet += 1
+                work = area * (before["StressXY"] + after["StressXY"]) / 2 * (after["Strain"] - before["Strain"])
+                self.assertAlmostEqual((after["Energy"] - before["Energy"]) / work, 1, 2)
+        self.assertGreater(quiet, 8)
+        for name in ("stress.png", "foam.png"):
+            with Image.open(self.folder / name) as picture:
+                self.assertGreater(len(set(picture.convert("RGB").resize((60, 60)).getdata())), 50)
 
 
 class ParameterStudy(Example):

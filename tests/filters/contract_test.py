@@ -10,7 +10,7 @@ from vtkmodules.util.vtkConstants import VTK_DOUBLE
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamEnsembleStatistics, vtkFoamEvolverReader, vtkFoamFromLabels,
+from foam.vtkFoamFilters import (vtkFoamCoarsen, vtkFoamDeform, vtkFoamEnsembleStatistics, vtkFoamEvolverReader, vtkFoamFromLabels,
                                  vtkFoamFromPoints, vtkFoamFromPolygons, vtkFoamPoints, vtkFoamStatistics)
 from foam_testing import (Messages, column, coarsening_of, differences, foam_of_points, go_to, points_of,
                           set_properties, single, skewed_torus, times, with_tensions)
@@ -18,7 +18,7 @@ from foam_testing import (Messages, column, coarsening_of, differences, foam_of_
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "sample-data"
 XML = ROOT / "xml"
-FILTERS = [vtkFoamPoints, vtkFoamFromPoints, vtkFoamCoarsen, vtkFoamStatistics, vtkFoamEnsembleStatistics,
+FILTERS = [vtkFoamPoints, vtkFoamFromPoints, vtkFoamCoarsen, vtkFoamDeform, vtkFoamStatistics, vtkFoamEnsembleStatistics,
            vtkFoamEvolverReader, vtkFoamFromLabels, vtkFoamFromPolygons]
 FILM_CELLS = ["LeftBubble", "RightBubble", "Curvature", "PressureDifference", "Length",
               "HalfAngle", "OnBoundary"]
@@ -29,7 +29,7 @@ FIELD_SINGLE = ["TimeValue", "SurfaceTension", "Boundary", "PeriodicBounds", "En
 BUBBLE_CELLS = ["BubbleId", "Area", "TargetArea", "Pressure", "Sides", "Perimeter", "OnBoundary", "Stress"]
 SUMMARY = ["Time", "Bubbles", "MeanSides", "Mu2", "MeanArea", "AreaSecondMoment", "Energy",
            "AboavA", "StressXX", "StressYY", "StressXY", "NormalStressDifference",
-           "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError", "MaxAreaError"]
+           "Strain", "T1Count", "T2Count", "T3Count", "Iterations", "MaxAngleError", "MaxAreaError"]
 BY_SIDES = ["Sides", "Count", "Fraction", "MeanNeighbourSides", "AboavProduct", "AboavIdeal",
             "MeanArea"]
 
@@ -48,8 +48,9 @@ def columns(table):
 
 def xml_defaults(filter_class):
     """The properties of a filter's proxy and their defaults."""
-    text = (XML / "Foam.xml.in").read_text().replace(
-        "@EquilibratorProperties@", (XML / "EquilibratorProperties.xml.in").read_text())
+    text = (XML / "Foam.xml.in").read_text()
+    for shared in ("StartProperties", "KeyframeProperties", "EquilibratorProperties"):
+        text = text.replace(f"@{shared}@", (XML / f"{shared}.xml.in").read_text())
     proxy = ElementTree.fromstring(text).find(f".//*[@class='{filter_class.__name__}']")
     for element in proxy:
         values = element.get("default_values", "").split()
@@ -95,7 +96,7 @@ class Properties(unittest.TestCase):
 
     def test_ports(self):
         for filter_class, ports in [(vtkFoamPoints, 1), (vtkFoamFromPoints, 2),
-                                    (vtkFoamCoarsen, 2), (vtkFoamStatistics, 4)]:
+                                    (vtkFoamCoarsen, 3), (vtkFoamDeform, 3), (vtkFoamStatistics, 4)]:
             self.assertEqual(filter_class().GetNumberOfOutputPorts(), ports)
 
     def test_printing(self):

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamFromPoints, vtkFoamPoints
+from foam.vtkFoamFilters import vtkFoamCoarsen, vtkFoamDeform, vtkFoamFromPoints, vtkFoamPoints
 
 
 class Messages:
@@ -99,13 +99,21 @@ def outlines(*polygons, closed=True):
 
 def coarsening_of(source, **properties):
     """FoamCoarsen of an algorithm's first output, or of films."""
-    coarsen = vtkFoamCoarsen()
+    return _filter_of(vtkFoamCoarsen(), source, properties)
+
+
+def deformation_of(source, **properties):
+    """FoamDeform likewise."""
+    return _filter_of(vtkFoamDeform(), source, properties)
+
+
+def _filter_of(algorithm, source, properties):
     if isinstance(source, vtkPolyData):
-        coarsen.SetInputData(source)
+        algorithm.SetInputData(source)
     else:
-        coarsen.SetInputConnection(source.GetOutputPort(0))
-    set_properties(coarsen, properties)
-    return coarsen
+        algorithm.SetInputConnection(source.GetOutputPort(0))
+    set_properties(algorithm, properties)
+    return algorithm
 
 
 def set_properties(algorithm, properties):

@@ -32,15 +32,18 @@ PROXIES = {
     "FoamCoarsen": {"StartFrom", "TargetAreas", "TimeStep", "NumberOfFrames", "Permeability", "T1Length", "T2Area",
                     "Thresholds", "Alpha", "TwoSidedBubbles", "Stepping", "TopologicalAlgorithm", "KeyframeInterval", "KeyframeMemory",
                     *EQUILIBRATOR},
+    "FoamDeform": {"StartFrom", "TargetAreas", "Deformation", "StrainStep", "Amplitude", "NumberOfFrames",
+                   "KeyframeInterval", "KeyframeMemory", *EQUILIBRATOR},
     "FoamFromLabels": {"Background", "Boundary", "SurfaceTension", "Equilibrate", *EQUILIBRATOR},
     "FoamFromPolygons": {"Boundary", "SurfaceTension", "Equilibrate", *EQUILIBRATOR},
     "FoamEvolverReader": {"Equilibrate", *EQUILIBRATOR},
-    "FoamStatistics": {"IncludeBoundary"},
+    "FoamStatistics": {"IncludeBoundary", "ShearModulus"},
     "FoamEnsembleStatistics": {"IncludeBoundary"},
 }
 OTHER_PROPERTIES = {
     "FoamPoints": set(), "FoamFromPoints": {"Input", "TargetAreaArray", "Walls"},
     "FoamCoarsen": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"}, "FoamStatistics": {"Input"}, "FoamEvolverReader": {"FileName"},
+    "FoamDeform": {"Input", "TimestepValues", "StartTime", "StartTimeInForce"},
     "FoamFromLabels": {"Input", "LabelArray"}, "FoamFromPolygons": {"Input"},
     "FoamEnsembleStatistics": {"Input"},
 }
@@ -55,6 +58,8 @@ CHOICES = {
                     "Stepping": ["Events", "FixedSteps"],
                     "TopologicalAlgorithm": ["Final", "Original", "Improved", "Simultaneous"],
                     **EQUILIBRATOR_CHOICES},
+    "FoamDeform": {"StartFrom": ["First", "Last"], "TargetAreas": ["FromFilms", "Measured"],
+                   "Deformation": ["SimpleShear", "PureShear"], **EQUILIBRATOR_CHOICES},
     "FoamEvolverReader": EQUILIBRATOR_CHOICES,
     "FoamFromLabels": {"Boundary": ["Free", "Inner", "Container", "Periodic"], **EQUILIBRATOR_CHOICES},
     "FoamFromPolygons": {"Boundary": ["Free", "Container"], **EQUILIBRATOR_CHOICES},
@@ -62,7 +67,8 @@ CHOICES = {
     "FoamEnsembleStatistics": {},
 }
 PORTS = {"FoamPoints": None, "FoamFromPoints": ["Films", "Bubbles"],
-         "FoamCoarsen": ["Films", "Bubbles"], "FoamEvolverReader": ["Films", "Bubbles"],
+         "FoamCoarsen": ["Films", "Bubbles", "Events"], "FoamDeform": ["Films", "Bubbles", "Events"],
+         "FoamEvolverReader": ["Films", "Bubbles"],
          "FoamFromLabels": ["Films", "Bubbles"], "FoamFromPolygons": ["Films", "Bubbles"],
          "FoamStatistics": ["Summary", "BySides", "Bubbles", "Distribution"],
          "FoamEnsembleStatistics": None}
@@ -82,6 +88,7 @@ class Proxies(unittest.TestCase):
         members = simple.GroupDatasets(Input=[statistics], OutputType="vtkPartitionedDataSet")
         cls.proxies = {"FoamPoints": points, "FoamFromPoints": foam, "FoamCoarsen": coarsen,
                        "FoamStatistics": statistics, "FoamEnsembleStatistics": FoamEnsembleStatistics(Input=members)}
+        cls.proxies["FoamDeform"] = FoamDeform(Input=FoamFromPoints(Input=points, Boundary="Periodic"))
         picture = simple.Wavelet(WholeExtent=[0, 9, 0, 9, 0, 0])
         cls.proxies["FoamFromLabels"] = FoamFromLabels(Input=picture)
         cls.proxies["FoamFromPolygons"] = FoamFromPolygons(Input=simple.Plane(XResolution=3, YResolution=3))
@@ -152,6 +159,7 @@ class Proxies(unittest.TestCase):
         inputs = {"points": points, "sphere": simple.Sphere(), "films": coarsen, "bubbles": bubbles,
                   "centres": centres, "lines": simple.Line()}
         for name, accepted in (("FoamFromPoints", {"points", "sphere", "centres", "lines"}), ("FoamCoarsen", {"films"}),
+                               ("FoamDeform", {"films"}),
                                ("FoamStatistics", {"films"})):
             prop = self.proxies[name].GetProperty("Input").SMProperty
             found = set()
@@ -180,7 +188,8 @@ class Proxies(unittest.TestCase):
             self.assertEqual(menu.GetAttribute("category"), "Foam", name)
 
     def test_properties_that_only_sometimes_matter_are_hidden(self):
-        for name in ("FoamFromPoints", "FoamFromLabels", "FoamFromPolygons", "FoamCoarsen", "FoamEvolverReader"):
+        for name in ("FoamFromPoints", "FoamFromLabels", "FoamFromPolygons", "FoamCoarsen", "FoamDeform",
+                     "FoamEvolverReader"):
             for key in PROXIES[name]:
                 hints = self.proxies[name].GetProperty(key).SMProperty.GetHints()
                 decorators = [hints.GetNestedElement(i) for i in range(

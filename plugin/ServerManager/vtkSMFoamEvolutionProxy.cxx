@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "vtkSMFoamCoarsenProxy.h"
+#include "vtkSMFoamEvolutionProxy.h"
 
 #include "vtkObjectFactory.h"
 
-vtkStandardNewMacro(vtkSMFoamCoarsenProxy);
+vtkStandardNewMacro(vtkSMFoamEvolutionProxy);
 
-void vtkSMFoamCoarsenProxy::PostUpdateData(bool usingCache) {
+void vtkSMFoamEvolutionProxy::PostUpdateData(bool usingCache) {
   this->Superclass::PostUpdateData(usingCache);
   if (!usingCache) {
     this->UpdatePipelineInformation();

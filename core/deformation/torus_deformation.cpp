@@ -30,6 +30,7 @@ constexpr double kDrift = 1e-4;      // per strain, at which a foam may leave eq
 constexpr int kShortRelaxation = 8;  // iterations along the equilibria of one topology
 constexpr double kSwapLength = 1e-3; // of the mean spacing: films that may be swapped after a T1 …
 constexpr double kSwapLengthFar = 0.05; // … and if that leads nowhere
+constexpr int kRounds = 64;             // of MaximumIterations, that an avalanche may take
 
 bool may_vanish(const Foam& foam, Film film) {
   return foam.may_close(film) && spares_sides(foam, film) && can_perform_t1(foam, film);
@@ -311,13 +312,21 @@ bool TorusDeformation::relax(double t1_length, int most_iterations, const AbortC
   return report.converged;
 }
 
+/// With the T1s that come on the way, be it an avalanche: it goes on for as long as films are
+/// swapped within the iterations that a foam may take.
 bool TorusDeformation::relax_swapping(const AbortCheck& aborted) {
-  const Foam swapped = foam_;
+  const Foam start = foam_;
   const int most = options_.equilibrator.maximum_iterations;
-  if (relax(kSwapLength, most, aborted)) {
-    return true;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::size_t performed = foam_.operations.size();
+    if (relax(kSwapLength, most, aborted)) {
+      return true;
+    }
+    if (foam_.operations.size() == performed) {
+      break;
+    }
   }
-  undo(swapped);
+  undo(start);
   newton_.forget();
   const EquilibriumReport report =
       newton_.equilibrate(foam_, kSwapLengthFar * foam_.mean_spacing(), aborted);

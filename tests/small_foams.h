@@ -55,6 +55,7 @@ inline Index run_at_random(std::uint64_t seed, double most, int frames) {
     if (!goes_on) {
       EXPECT_EQ(foam.time, time) << where;
       EXPECT_EQ(foam.ended->bubbles, foam.bubble_count()) << where;
+      EXPECT_NE(foam.ended->cause, End::Cause::NoEquilibrium) << where << reason(*foam.ended);
       EXPECT_NE(run.boundary(), Boundary::Periodic) << where << reason(*foam.ended);
       if (run.boundary() == Boundary::Free) {
         const End::Cause cause = foam.ended->cause;

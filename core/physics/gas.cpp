@@ -33,13 +33,13 @@ struct AreaRateChange {
 };
 
 /// Of all bubbles, 0 for those that are gone; a closed foam's total is conserved.
-template <class Rate> Field<Bubble, double> evened(const Foam& foam, const Rate& rate) {
+template <class Rate> Field<Bubble, double> balanced(const Foam& foam, const Rate& rate) {
   Host host(1);
   const double excess = sum_bubbles(host, view_of(foam), rate).excess();
   Field<Bubble, double> rates(foam.pressure.size(), 0.0);
   for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b)) {
-      rates[b] = detail::even(rate, b, excess);
+      rates[b] = detail::balanced(foam, rate, b, excess);
     }
   }
   return rates;
@@ -52,7 +52,7 @@ AreaRate area_rate(const ConstFoamView& mesh, double kappa) {
 }
 
 Field<Bubble, double> area_rates(const Foam& foam, double kappa) {
-  return evened(foam, area_rate(view_of(foam), kappa));
+  return balanced(foam, area_rate(view_of(foam), kappa));
 }
 
 bool area_rates_change(const Foam& foam) {
@@ -71,7 +71,7 @@ bool area_rates_change(const Foam& foam) {
 
 Field<Bubble, double> area_rate_changes(const Foam& foam, double kappa,
                                         std::span<const double> angle_rates) {
-  return evened(foam, AreaRateChange{area_rate(view_of(foam), kappa), angle_rates});
+  return balanced(foam, AreaRateChange{area_rate(view_of(foam), kappa), angle_rates});
 }
 
 } // namespace foam

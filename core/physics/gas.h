@@ -80,8 +80,8 @@ struct AreaRate {
     return everywhere_alike() ? constant * (mesh.sides[bubble] - 6) : rate_of(bubble);
   }
 
-  /// Whether the bubble takes a share of what the total is off, in a closed foam, where no gas is
-  /// lost: those do whose rate is measured.
+  /// Whether the bubble takes a share, as large as its gas, of what the total is off, in a closed
+  /// foam, where no gas is lost: those do whose rate is measured.
   FOAM_HOST_DEVICE bool takes_a_share(Bubble bubble) const {
     return mesh.surroundings.closed() && measured(bubble);
   }
@@ -142,12 +142,12 @@ AreaRate area_rate(const ConstFoamView& mesh, double kappa);
 struct BubbleSums {
   double target_area = 0; ///< cm²
   double rate = 0;        ///< dA^τ/dt, cm²/s
-  double sharing = 0;     ///< bubbles that share what the total is off
+  double sharing = 0;     ///< target area of those that share what the total is off, cm²
   Index bubbles = 0;
 
   double mean_area() const { return target_area / bubbles; }
-  /// Of the rate of each bubble that takes a share, cm²/s: rounding, and what the equilibrium's
-  /// tolerance leaves.
+  /// What the total is off, per gas of the bubbles that take a share, 1/s: rounding, and what the
+  /// equilibrium's tolerance leaves.
   double excess() const { return sharing > 0 ? rate / sharing : 0; }
 
   friend FOAM_HOST_DEVICE BubbleSums operator+(const BubbleSums& a, const BubbleSums& b) {
@@ -166,12 +166,15 @@ template <class Rate> struct SumBubble {
     if (!mesh.has_bubble(bubble)) {
       return {};
     }
-    return {mesh.target_area[bubble], rate(bubble), rate.takes_a_share(bubble) ? 1.0 : 0.0, 1};
+    const double gas = mesh.target_area[bubble];
+    return {gas, rate(bubble), rate.takes_a_share(bubble) ? gas : 0, 1};
   }
 };
 
-template <class Rate> FOAM_HOST_DEVICE double even(const Rate& rate, Bubble bubble, double excess) {
-  return rate(bubble) - (rate.takes_a_share(bubble) ? excess : 0);
+/// A bubble's rate without its share of the excess (see BubbleSums).
+template <class Mesh, class Rate>
+FOAM_HOST_DEVICE double balanced(const Mesh& mesh, const Rate& rate, Bubble bubble, double excess) {
+  return rate(bubble) - (rate.takes_a_share(bubble) ? excess * mesh.target_area[bubble] : 0);
 }
 
 /// A^τ ← A^τ + dA/dt·Δt (3.7.1).
@@ -183,7 +186,7 @@ template <class Rate> struct Diffuse {
 
   FOAM_HOST_DEVICE void operator()(Bubble bubble) const {
     if (mesh.has_bubble(bubble)) {
-      mesh.target_area[bubble] += even(rate, bubble, excess) * time_step;
+      mesh.target_area[bubble] += balanced(mesh, rate, bubble, excess) * time_step;
     }
   }
 };

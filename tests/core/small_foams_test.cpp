@@ -15,6 +15,14 @@ TEST(SmallFoams, AreInEquilibriumToTheirEnd) {
   EXPECT_GT(runs, 30);
 }
 
+/// In each of these a bubble between a wall and a film is so thin, and all but done with growing
+/// and shrinking, that it has less gas than a bubble elsewhere that is to vanish loses in a step.
+TEST(SmallFoams, ThinBubblesOnWallsLoseNoMoreThanTheyHave) {
+  for (const std::uint64_t seed : {2070034, 2090054}) {
+    EXPECT_GT(run_at_random(seed, 300, 400), 0);
+  }
+}
+
 Foam on_a_square(Index bubbles, std::uint64_t seed) {
   BuildOptions options;
   options.boundary = Boundary::Periodic;

@@ -172,12 +172,18 @@ private:
     }
   }
 
-  /// Whether a bubble of up to three sides was at its end in the frame before already.
+  /// Whether a bubble of up to three sides was at its end in the frame before already. One at a
+  /// wall on which films are pinned may grow.
   bool outlives_its_end(const Foam& foam) {
+    constexpr double kRounding = 1e-9;
     const double t2_area = thresholds(foam, run_.options().thresholds).t2_area;
+    const Field<Bubble, double> rates = area_rates(foam, run_.options().permeability);
+    const auto shrinks = [&](Bubble b) {
+      return -rates[b] * run_.options().time_step > kRounding * foam.target_area[b];
+    };
     std::vector<Bubble> at_end;
     for (const Bubble b : foam.bubble_slots()) {
-      if (foam.has_bubble(b) && foam.sides[b] <= 3 && foam.target_area[b] < t2_area) {
+      if (foam.has_bubble(b) && foam.sides[b] <= 3 && foam.target_area[b] < t2_area && shrinks(b)) {
         at_end.push_back(b);
       }
     }

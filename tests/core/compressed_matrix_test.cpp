@@ -159,9 +159,8 @@ Found equilibrate(Boundary boundary, std::unique_ptr<DirectSolver> direct) {
   test::exchange_gas(foam);
   EquilibratorOptions options;
   options.tolerance = 1e-11;
-  Host host;
   const NewtonResult result =
-      WholeFoamNewton<Host>(host, options, std::move(direct)).equilibrate(view_of(foam), 0, {});
+      test::equilibrate_on_host(view_of(foam), options, 0, std::move(direct));
   return {foam, result};
 }
 

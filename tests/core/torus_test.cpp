@@ -225,10 +225,9 @@ void move_gas(Foam& foam) {
 
 /// Of MINRES, for what a frame in fixed steps asks of it.
 int inner_iterations(Foam foam) {
-  Host host;
-  newton::WholeFoamNewton<Host> newton(host, EquilibratorOptions{});
   move_gas(foam);
-  const newton::NewtonResult result = newton.equilibrate(view_of(foam), 0.05, {});
+  const newton::NewtonResult result =
+      equilibrate_on_host(view_of(foam), EquilibratorOptions{}, 0.05);
   EXPECT_TRUE(result.report.converged) << result.report.residual;
   return result.inner_iterations;
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "../newton_on_host.h"
+#include "../newton_system_members.h"
 #include "../staircase.h"
 #include "../two_sided_bubbles.h"
 #include "algebra/device_direct_solver.h"

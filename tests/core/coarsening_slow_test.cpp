@@ -42,7 +42,9 @@ struct ScalingState {
 
 ScalingState coarsen_to_scaling_state(std::uint64_t seed) {
   ScalingState state;
-  auto coarsening = make_coarsening(thesis_options());
+  CoarseningOptions options = thesis_options();
+  options.time_step = 0.1;
+  auto coarsening = make_coarsening(options);
   coarsening->restart(random_foam(2000, Boundary::Periodic, seed));
   const Foam& foam = coarsening->foam();
   const auto mean_area = [&] { return foam.surroundings.lattice.area() / foam.bubble_count(); };

@@ -5,8 +5,8 @@
  *
  * The file is one of the two-dimensional STRING model with a quadratic edge for each film, whose
  * methods circular_arc_length and circular_arc_area give Surface Evolver the energy, areas and
- * pressures that the foam has here. Bodies have the attribute BubbleId. Free foams and those on a
- * torus can be written, foams with walls cannot. The file is there whole or not at all.
+ * pressures that the foam has here. Bodies have the attribute BubbleId. Walls are edges
+ * without tension on constraints. The file is there whole or not at all.
  *
  * @sa vtkFoamEvolverReader vtkFoamSeriesWriter
  */

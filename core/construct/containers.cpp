@@ -32,15 +32,10 @@ Wall straight_wall(std::span<const Vec2> corners, WallContact contact) {
   return wall;
 }
 
-/// Of four quarters. \param turn 1 counter-clockwise, with the foam inside; −1 round an obstacle
+/// \param turn 1 counter-clockwise, with the foam inside; −1 round an obstacle
 Wall circle(Vec2 centre, double radius, double turn, WallContact contact) {
-  const std::array<Vec2, 4> corners{centre + Vec2{radius, 0}, centre + Vec2{0, turn * radius},
-                                    centre - Vec2{radius, 0}, centre - Vec2{0, turn * radius}};
-  Wall wall = straight_wall(corners, contact);
-  for (WallPiece& piece : wall.pieces) {
-    piece.half_angle = turn * std::numbers::pi / 4;
-  }
-  return wall;
+  const auto pieces = whole_circle(centre, radius, turn);
+  return {{pieces.begin(), pieces.end()}, contact};
 }
 
 double twice_area(std::span<const Vec2> polygon) {

@@ -75,9 +75,7 @@ const Keywords& header_keywords() {
       {"viscosity", {Values, 1}},
       {"zoom_radius", {Values, 1}},
       {"zoom_vertex", {Values, 1}},
-      {"boundary", {Values}}, // refused where an element lies on it
       {"clip_coeff", {Values}},
-      {"constraint", {Values}}, // likewise
       {"evolver_version", {Values}},
       {"function", {Values}},
       {"method_instance", {Values}},
@@ -105,7 +103,6 @@ const Keywords& header_keywords() {
 /// Of those that elements of several kinds have.
 const Keywords& attribute_keywords() {
   using enum Treatment;
-  static const char* const wall = "lies on a wall, and foams with walls are not read";
   static const Keywords keywords = {
       {"actual_volume", {Values}},
       {"backcolor", {Values}},
@@ -124,31 +121,25 @@ const Keywords& attribute_keywords() {
       {"orientation", {Values}},
       {"original", {Values}},
       {"axial_point", {Refuse, 0, "belongs to a symmetry group"}},
-      {"boundary", {Refuse, 0, wall}},
-      {"constraint", {Refuse, 0, wall}},
-      {"constraints", {Refuse, 0, wall}},
       {"phase", {Refuse, 0, "takes tensions from a PHASEFILE"}},
   };
   return keywords;
 }
 
 /// What the reader takes values from, and sections.
-constexpr std::string_view kStatements[] = {"area_method_name",
-                                            "define",
-                                            "display_origin",
-                                            "length_method_name",
-                                            "parameter",
-                                            "parameter_file",
-                                            "periods",
-                                            "quantity",
-                                            "space_dimension",
-                                            "string",
-                                            "torus",
-                                            "torus_filled",
-                                            "total_time",
-                                            "volume_method_name"};
+constexpr std::string_view kStatements[] = {
+    "area_method_name",   "boundary",  "constraint",     "define",       "display_origin",
+    "length_method_name", "parameter", "parameter_file", "periods",      "quantity",
+    "space_dimension",    "string",    "torus",          "torus_filled", "total_time",
+    "volume_method_name"};
 constexpr std::string_view kSections[] = {"vertices",   "edges",  "faces", "facets",
                                           "facetedges", "bodies", "read"};
+
+/// The parts of a CONSTRAINT or a BOUNDARY, and what may stand between them.
+constexpr std::string_view kCurveParts[] = {
+    "formula", "function", "equation",    "energy",      "content", "e1",        "e2",
+    "e3",      "c1",       "c2",          "c3",          "x1",      "x2",        "x3",
+    "convex",  "global",   "nonnegative", "nonpositive", "nonwall", "parameters"};
 
 template <class Names> bool is_one_of(const Names& names, std::string_view word) {
   return std::ranges::find(names, word) != std::end(names);
@@ -335,6 +326,8 @@ private:
       file_.origin = place();
     } else if (keyword.word == "total_time") {
       file_.time = expression();
+    } else if (keyword.word == "constraint" || keyword.word == "boundary") {
+      declare_curve(keyword);
     } else if (keyword.word == "define") {
       define();
     } else if (keyword.word == "quantity") {
@@ -411,6 +404,154 @@ private:
     }
   }
 
+  /// A CONSTRAINT or a BOUNDARY as it is written. What curve it is, is found when an element keeps
+  /// to it.
+  struct Declared {
+    std::string name;
+    std::map<std::string, std::vector<Token>, std::less<>> parts; ///< FORMULA, X1, E1 and the like
+    bool one_sided = false;
+    bool known = false; ///< whether the curve has been found
+  };
+
+  void declare_curve(const Token& keyword) {
+    const std::int64_t number = take_integer(tokens_, "the number of a " + keyword.word);
+    const auto [place, is_new] =
+        curve_numbers_[keyword.word].try_emplace(number, static_cast<Index>(declared_.size()));
+    Declared& declared = declared_.emplace_back();
+    declared.name = keyword.word + " " + std::to_string(number);
+    if (!is_new) {
+      fail_at(keyword.line, declared.name + " is declared twice");
+    }
+    while (true) {
+      skip_separators();
+      if (tokens_.peek().kind == Token::Kind::Word && is_one_of(kCurveParts, tokens_.peek().word)) {
+        take_part(declared);
+      } else if (begins_statement(tokens_.peek())) {
+        break;
+      } else {
+        tokens_.take(); // the name of a quantity, say
+      }
+    }
+  }
+
+  void take_part(Declared& declared) {
+    const Token part = tokens_.take();
+    if (part.word == "global") {
+      refuse(part, "makes " + declared.name + " that of all vertices");
+    }
+    declared.one_sided =
+        declared.one_sided || part.word == "nonnegative" || part.word == "nonpositive";
+    if (part.word == "parameters") {
+      expression();
+      return;
+    }
+    constexpr std::string_view kFormulas[] = {"formula", "function", "equation"};
+    const bool formula = is_one_of(kFormulas, part.word);
+    skip_separators();
+    std::vector<Token>& tokens = declared.parts[formula ? "formula" : part.word];
+    const auto goes_on = [&](const Token& next) {
+      return next.kind != Token::Kind::Word ||
+             (!is_one_of(kCurveParts, next.word) && !begins_statement(next));
+    };
+    while (tokens_.peek().kind != Token::Kind::End && goes_on(tokens_.peek())) {
+      tokens.push_back(tokens_.take());
+    }
+  }
+
+  /// What a part of a declaration is in a point.
+  Jet part_at(const Declared& declared, const char* part, const Variables<Jet>& variables) const {
+    const auto tokens = declared.parts.find(part);
+    if (tokens == declared.parts.end()) {
+      return Jet::unknown();
+    }
+    return jet_of(tokens->second, parameters_, variables);
+  }
+  static Variables<Jet> at(Vec2 p) {
+    const Jet x = Jet::x(p.x);
+    const Jet y = Jet::y(p.y);
+    return {{"x", x}, {"x1", x}, {"y", y}, {"x2", y}, {"z", {}}, {"x3", {}}};
+  }
+
+  /// Takes the numbers of the constraints, or of the one boundary, that an element keeps to.
+  bool take_curves(const Token& keyword, const std::string& element, std::vector<Index>& curves) {
+    const bool boundary = keyword.word == "boundary";
+    if (!boundary && keyword.word != "constraint" && keyword.word != "constraints") {
+      return false;
+    }
+    const auto& numbers = curve_numbers_[boundary ? "boundary" : "constraint"];
+    do {
+      const std::int64_t number = take_integer(tokens_, "a number of " + keyword.word);
+      const auto found = numbers.find(number);
+      const std::string lies = "'" + keyword.word + "': " + element + " lies on " +
+                               (boundary ? "boundary " : "constraint ") + std::to_string(number);
+      if (found == numbers.end()) {
+        fail_at(keyword.line, lies + ", which is not declared");
+      }
+      if (declared_[place_of(found->second)].one_sided) {
+        fail_at(keyword.line,
+                lies + ", which it may leave to one side, and films do not leave walls");
+      }
+      curves.push_back(found->second);
+      skip_separators();
+    } while (!boundary && tokens_.peek().is_integer() && !tokens_.peek().starts_line);
+    return true;
+  }
+
+  /// The point of a curve near a place. \param parameter of a boundary
+  /// \param element that keeps to it, in a line
+  Vec2 point_on(Index c, Vec2 near, double parameter, const std::string& element, int line) {
+    Declared& declared = declared_[place_of(c)];
+    const auto coordinate = [&](const char* which) {
+      return [&, which](double p) { return part_at(declared, which, {{"p1", Jet::x(p)}}); };
+    };
+    const std::optional<Curve> found =
+        declared.parts.contains("x1")
+            ? curve_of_parameter(coordinate("x1"), coordinate("x2"), parameter)
+            : curve_of_formula([&](Vec2 p) { return part_at(declared, "formula", at(p)); }, near);
+    file_.curves.resize(declared_.size());
+    Curve& curve = file_.curves[place_of(c)];
+    if (found && !declared.known) {
+      curve = *found;
+      declared.known = true;
+    }
+    constexpr double kSame = 1e-9; // of a length that belongs to the curve
+    if (!found || !(std::abs(curve.distance(found->point)) <= kSame * curve.scale())) {
+      fail_at(line, "'constraint': " + element + " lies on " + declared.name +
+                        ", which is neither one straight line nor one circle");
+    }
+    return found->point;
+  }
+
+  void put_on_curves(Datafile::Vertex& vertex, const std::string& name, double parameter) {
+    for (const Index c : vertex.curves) {
+      vertex.place = point_on(c, vertex.place, parameter, name, vertex.line);
+      check_energy(declared_[place_of(c)], file_.curves[place_of(c)], vertex, name);
+    }
+    if (vertex.curves.size() > 1) {
+      const std::vector<Vec2> corners = crossings(file_.curves[place_of(vertex.curves[0])],
+                                                  file_.curves[place_of(vertex.curves[1])]);
+      if (!corners.empty()) {
+        vertex.place = *std::ranges::min_element(
+            corners, {}, [&](Vec2 corner) { return norm(corner - vertex.place); });
+      }
+    }
+  }
+
+  /// A constraint's energy pulls at films along it, unless it is the same all along.
+  void check_energy(const Declared& declared, const Curve& curve, const Datafile::Vertex& vertex,
+                    const std::string& name) const {
+    for (const char* part : {"e1", "e2", "e3"}) {
+      if (declared.parts.contains(part)) {
+        const Jet energy = part_at(declared, part, at(vertex.place));
+        const double along = cross(curve.normal(vertex.place), energy.gradient);
+        if (!(std::abs(along) <= 1e-12 * norm(energy.gradient))) {
+          fail_at(vertex.line, "'constraint': " + name + " lies on " + declared.name +
+                                   ", which has ENERGY, and films meet walls at 90 degrees");
+        }
+      }
+    }
+  }
+
   /// The elements of a section: each begins with its number, at a line's start.
   template <class Row> void rows(const Row& row) {
     while (!begins_section(tokens_.peek())) {
@@ -471,18 +612,22 @@ private:
       coordinates[count++] = expression();
       skip_separators();
     }
-    if (count < 2) {
-      fail_at(line, name + " has " + std::to_string(count) +
-                        " coordinates, not 2; 3 +5 is one number, 3 -5 are two");
+    bool on_boundary = false;
+    attributes(name, [&](const Token& keyword) {
+      vertex.fixed = vertex.fixed || keyword.word == "fixed";
+      on_boundary = on_boundary || keyword.word == "boundary";
+      return keyword.word == "fixed" || take_curves(keyword, name, vertex.curves);
+    });
+    const int wanted = on_boundary ? 1 : 2; // a boundary's parameter
+    if (count < wanted) {
+      fail_at(line, name + " has " + std::to_string(count) + " coordinates, not " +
+                        std::to_string(wanted) + "; 3 +5 is one number, 3 -5 are two");
     }
     if (coordinates[2] != 0) {
       fail_at(line, name + " lies outside of the plane, at z " + foam::number(coordinates[2]));
     }
     vertex.place = {coordinates[0], coordinates[1]};
-    attributes(name, [&](const Token& keyword) {
-      vertex.fixed = vertex.fixed || keyword.word == "fixed";
-      return keyword.word == "fixed";
-    });
+    put_on_curves(vertex, name, coordinates[0]);
   }
 
   /// Whether what follows is a coordinate, and no attribute.
@@ -526,14 +671,18 @@ private:
         edge.wrap = decoded(take_integer(tokens_, "a wrap"), keyword.line);
         wrapped = true;
       } else if (keyword.word == "fixed") {
-        fail_at(keyword.line,
-                "'fixed': " + name + " does not move, and films that do not are not read");
+        edge.fixed = true;
       } else {
-        return false;
+        return take_curves(keyword, name, edge.curves);
       }
       return true;
     });
     take_signs(edge, signs, wrapped);
+    for (const Index c : edge.curves) {
+      if (!declared_[place_of(c)].known) { // no vertex lies on it
+        point_on(c, file_.vertices[place_of(edge.tail)].place, 0, name, edge.line);
+      }
+    }
   }
 
   void take_signs(Datafile::Edge& edge, const std::vector<int>& signs, bool wrapped) {
@@ -657,6 +806,9 @@ private:
   std::set<std::string, std::less<>> named_; ///< attributes, and quantities that change nothing
   std::map<std::string, std::pair<int, int>>
       skipped_; ///< first line and number of unknown keywords
+  std::map<std::string, std::map<std::int64_t, Index>, std::less<>>
+      curve_numbers_; ///< of constraints and of boundaries
+  std::vector<Declared> declared_;
   int unwrapped_ = 0;
   int joined_signs_ = 0;
   Numbers vertex_numbers_{"vertex"};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "evolver/curve.h"
 #include "geometry/lattice.h"
 #include "geometry/vec2.h"
 #include "mesh/ids.h"
@@ -21,6 +22,7 @@ struct Datafile {
     std::int64_t number = 0;
     Vec2 place;
     bool fixed = false;
+    std::vector<Index> curves; ///< that it keeps to
     int line = 0;
   };
   struct Edge {
@@ -30,6 +32,8 @@ struct Datafile {
     Index midpoint = kNone; ///< vertex, in the tail's cell of the torus
     Wrap wrap;              ///< periods from the tail's cell to the head's
     double tension = 1;
+    bool fixed = false;
+    std::vector<Index> curves; ///< that it keeps to
     int line = 0;
   };
   struct Face {
@@ -58,18 +62,45 @@ struct Datafile {
   Vec2 origin; ///< DISPLAY_ORIGIN
   Vec2 first_period{1, 0};
   Vec2 second_period{0, 1};
-  double time = 0; ///< TOTAL_TIME
+  double time = 0;           ///< TOTAL_TIME
+  std::vector<Curve> curves; ///< CONSTRAINTs and BOUNDARYs, set where an element keeps to one
   std::vector<Vertex> vertices;
   std::vector<Edge> edges;
   std::vector<Face> faces;
   std::vector<FaceEdge> face_edges;
   std::vector<Body> bodies;
   std::vector<std::string> warnings; ///< of what was skipped, with line and keyword
+
+  /// Where a walk along an edge starts.
+  Index start(FaceEdge walk) const {
+    const Edge& edge = edges[place_of(walk.edge)];
+    return walk.forwards ? edge.tail : edge.head;
+  }
+  Index end(FaceEdge walk) const { return start({walk.edge, !walk.forwards}); }
+  Vec2 start_place(FaceEdge walk) const { return vertices[place_of(start(walk))].place; }
+  Wrap wrap(FaceEdge walk) const {
+    const Wrap forwards = edges[place_of(walk.edge)].wrap;
+    return walk.forwards ? forwards : -forwards;
+  }
+  Vec2 period(Wrap w) const {
+    return static_cast<double>(w.x) * first_period + static_cast<double>(w.y) * second_period;
+  }
+  Vec2 chord(FaceEdge walk) const {
+    return vertices[place_of(end(walk))].place - start_place(walk) + period(wrap(walk));
+  }
+  bool bends(FaceEdge walk) const { return edges[place_of(walk.edge)].midpoint != kNone; }
+  /// Where an edge that bends does most, from where the walk starts.
+  Vec2 middle(FaceEdge walk) const {
+    const Edge& edge = edges[place_of(walk.edge)];
+    const Vec2 forwards =
+        vertices[place_of(edge.midpoint)].place - vertices[place_of(edge.tail)].place;
+    return walk.forwards ? forwards : forwards + chord(walk);
+  }
 };
 
 /// \param include gives the content of a file that the datafile includes
 /// \throws FoamError with line and cause for what is no datafile, or is no foam in the plane: what
-/// changes the energy or the areas and is not a tension or a volume
+/// changes the energy or the areas and is not a tension, a volume or a wall
 Datafile parse_datafile(std::string text, std::function<std::string(const std::string&)> include);
 
 /// Whether a text, or as much of one as there is, begins as a datafile of the STRING model.

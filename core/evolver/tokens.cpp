@@ -39,6 +39,10 @@ Tokens::Tokens(std::string text, std::function<std::string(const std::string&)> 
   push({std::move(text)});
 }
 
+Tokens::Tokens(const std::vector<Token>& taken)
+    : sources_(1), ahead_(taken.begin(), taken.end()),
+      line_(taken.empty() ? 1 : taken.back().line) {}
+
 const Token& Tokens::peek(std::size_t ahead) {
   while (ahead >= ahead_.size()) {
     ahead_.push_back(scan());

@@ -45,6 +45,8 @@ class Tokens {
 public:
   /// \param include gives the content of a file that is included; it may throw.
   Tokens(std::string text, std::function<std::string(const std::string&)> include);
+  /// Those that were taken before.
+  explicit Tokens(const std::vector<Token>& taken);
 
   /// The next one, or one farther ahead.
   const Token& peek(std::size_t ahead = 0);

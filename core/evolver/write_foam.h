@@ -12,7 +12,11 @@ namespace foam {
 /// areas and pressures are there what they are here, in the same units. Bubbles are bodies in the
 /// order of their ids, which the attribute BubbleId has. Pressures are above the outside's. What
 /// read_evolver() makes of it is the foam again.
-/// \throws FoamError for a foam with walls or several outsides
+///
+/// Walls are edges of tension 0 on constraints, lines and circles, along which films slip; FIXED
+/// where films are pinned. Of the bubbles between walls that of the highest id has no VOLUME, as it
+/// has what the others leave.
+/// \throws FoamError for a foam in several gases
 std::string write_evolver(const Foam& foam);
 
 } // namespace foam

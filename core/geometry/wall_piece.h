@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "geometry/arc.h"
@@ -73,5 +75,17 @@ private:
     return std::asin(std::min(k * d, 1.0)) / k;
   }
 };
+
+/// A circle in four quarters, the first from where x is largest. \param turn 1 counter-clockwise,
+/// with the gas inside; −1 clockwise
+inline std::array<WallPiece, 4> whole_circle(Vec2 centre, double radius, double turn) {
+  const std::array<Vec2, 4> corners{centre + Vec2{radius, 0}, centre + Vec2{0, turn * radius},
+                                    centre - Vec2{radius, 0}, centre - Vec2{0, turn * radius}};
+  std::array<WallPiece, 4> pieces;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pieces[i] = {corners[i], corners[(i + 1) % 4] - corners[i], turn * std::numbers::pi / 4};
+  }
+  return pieces;
+}
 
 } // namespace foam

@@ -216,6 +216,14 @@ std::vector<std::string> validate(const Foam& foam) {
   return Validator(foam).run();
 }
 
+std::vector<std::string> validate_walls(const Foam& foam) {
+  std::vector<std::string> problems;
+  for (const Outside wall : foam.outside_slots()) {
+    check_order(foam, wall, problems);
+  }
+  return problems;
+}
+
 std::vector<std::string> validate_geometry(const Foam& foam) {
   std::vector<std::string> problems;
   for (const Junction j : foam.junction_slots()) {
@@ -223,8 +231,8 @@ std::vector<std::string> validate_geometry(const Foam& foam) {
       problems.push_back("the films of junction " + name(j) + " are not counter-clockwise");
     }
   }
-  for (const Outside wall : foam.outside_slots()) {
-    check_order(foam, wall, problems);
+  for (const std::string& problem : validate_walls(foam)) {
+    problems.push_back(problem);
   }
   for (const Bubble b : foam.bubble_slots()) {
     if (foam.has_bubble(b) && !(foam.area(b) > 0)) {

@@ -21,4 +21,7 @@ std::vector<std::string> validate(const Foam& foam);
 /// counter-clockwise order and every bubble's area is positive. Call on a valid foam.
 std::vector<std::string> validate_geometry(const Foam& foam);
 
+/// Checks that the stretches of each wall follow each other once round it. Call on a valid foam.
+std::vector<std::string> validate_walls(const Foam& foam);
+
 } // namespace foam

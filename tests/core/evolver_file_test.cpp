@@ -333,7 +333,8 @@ TEST(EvolverFile, WhatIsNoFoamIsAnErrorWithItsLine) {
       {"1 0 -0.75", "1 0 -0.75 fixed", "no error"},
       {"1 0 -0.75\n2 0 0.75", "1 0 -0.75 fixed\n2 0 0.75 fixed",
        "line 8: 'fixed': vertex 2 and vertex 1"},
-      {"1 0 -0.75", "1 0 -0.75 constraint 1", "line 7: 'constraint': vertex 1 lies on a wall"},
+      {"1 0 -0.75", "1 0 -0.75 constraint 1",
+       "line 7: 'constraint': vertex 1 lies on constraint 1, which"},
       {"1 0 -0.75", "1 0 +0.75", "line 7: vertex 1 has 1 coordinates, not 2"},
       {"1 0 -0.75", "1 0", "line 7: vertex 1 has 1 coordinates, not 2"},
       {"1 0 -0.75", "1 0 -0.75 4", "line 7: unexpected 4 after vertex 1"},
@@ -446,10 +447,6 @@ TEST(EvolverFile, IsKnownByItsHeader) {
   EXPECT_FALSE(is_string_model("STRING\n"));
   EXPECT_FALSE(is_string_model("ITEM: TIMESTEP\n0\nstring \"\n"));
   EXPECT_FALSE(is_string_model(""));
-}
-
-TEST(EvolverFile, FoamsWithWallsAreNotWritten) {
-  EXPECT_THROW(write_evolver(jittered_foam(Boundary::Fixed, 20, 1)), FoamError);
 }
 
 /// Whatever a file holds, it is an error that is told or a foam that is one.

@@ -3,8 +3,9 @@
 
     pvpython examples/foam_from_picture.py --picture foam.png [--crop LEFT RIGHT TOP BOTTOM] [--walls]
 
-Bubbles should be 20 to 60 pixels wide. --crop names the part to look at (pixels), --walls is for foams
-that walls, or the crop, hold where they are. A length of 1 in the foam is the root of the mean bubble area.
+Bubbles should be 20 to 60 pixels wide, and get the neighbours that they have in the picture. --crop names the part to
+look at (pixels), --walls is for foams that walls, or the crop, hold where they are: a foam of the bubbles' places then. A
+length of 1 in the foam is the root of the mean bubble area.
 Numbered regions, blank pictures and those without films are refused: foam_in_picture.py, which finds the bubbles, says
 why.
 """
@@ -21,8 +22,10 @@ def main():
     table = options.output / "bubbles.csv"
     write_table(table, [{"x": r.centroid[1] + 0.5, "y": len(picture) - r.centroid[0] - 0.5, "area": r.area}
                         for r in measure.regionprops(labels)])
-    walls = {"Boundary": "Fixed", "TargetAreas": "Initial", "FinSize": 0.5} if options.walls else {}
-    foam, scale = foam_of_measured_points(table, **walls)
+    if options.walls:
+        foam, scale = foam_of_measured_points(table, Boundary="Fixed", TargetAreas="Initial", FinSize=0.5)
+    else:
+        foam, scale = foam_of_labels(labels, options.output / "labels.vti")
     films = result(foam)
     SaveData(str(options.output / "films.vtp"), proxy=OutputPort(foam, 0))
     sides = arrays(films.GetCellData())

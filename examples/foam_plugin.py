@@ -20,6 +20,8 @@ import numpy as np
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -160,3 +162,23 @@ def foam_of_measured_points(path, **properties):
     scaled = Calculator(Input=areas, CoordinateResults=1, Function=f"coords*{scale!r}")
     measured = {"Boundary": "Free", "TargetAreas": "Array", "TargetAreaArray": "target_area"}
     return FoamFromPoints(Input=scaled, **{**measured, **properties}), scale
+
+
+def foam_of_labels(labels, path):
+    """A foam in equilibrium with the neighbours and areas of a picture's bubbles, which are numbered from 1 there and from
+    0 in the foam, and the scale as above. The labels are left in path, a .vti, with y upwards."""
+    scale = 1 / math.sqrt(np.bincount(labels.ravel())[1:].mean())
+    image = vtkImageData()
+    image.SetDimensions(*labels.shape[::-1], 1)
+    image.SetSpacing(scale, scale, 1)
+    image.SetOrigin(scale / 2, scale / 2, 0)  # the middle of the lowest and leftmost pixel
+    numbers = numpy_to_vtk(np.where(labels > 0, labels - 1, labels.max())[::-1].ravel(), deep=1)
+    numbers.SetName("bubble")
+    image.GetPointData().SetScalars(numbers)
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    if not writer.Write():
+        raise OSError(f"cannot write {path}")
+    picture = XMLImageDataReader(FileName=[str(path)])
+    return FoamFromLabels(Input=picture, LabelArray="bubble", Background=labels.max()), scale

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFoamEvolverWriter.h"
 
-#include <exception>
-#include <system_error>
-
-#include "vtkErrorCode.h"
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -19,33 +14,21 @@ vtkStandardNewMacro(vtkFoamEvolverWriter);
 vtkFoamEvolverWriter::vtkFoamEvolverWriter() = default;
 vtkFoamEvolverWriter::~vtkFoamEvolverWriter() = default;
 
-int vtkFoamEvolverWriter::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
-  return 1;
-}
-
-int vtkFoamEvolverWriter::Write() {
-  this->SetErrorCode(vtkErrorCode::NoError);
-  return this->Superclass::Write() && this->GetErrorCode() == vtkErrorCode::NoError;
-}
-
 void vtkFoamEvolverWriter::WriteData() {
-  try {
+  const vtkSmartPointer<vtkPolyData> whole = this->WholeInput();
+  if (this->Piece != 0) {
+    return;
+  }
+  this->Try([&] {
     if (this->FileName.empty()) {
       foam::filters::fail("FileName names no file to write");
     }
-    const foam::Foam foam = foam::filters::read_foam(foam::filters::films_in(this->GetInput()));
+    vtkDataObject* const input = whole ? whole.Get() : this->GetInput();
+    const foam::Foam foam = foam::filters::read_foam(foam::filters::films_in(input));
     foam::filters::write_whole(this->FileName, foam::write_evolver(foam));
-  } catch (const std::system_error& error) {
-    this->SetErrorCode(static_cast<unsigned long>(error.code().value()));
-    vtkErrorMacro(<< error.what());
-  } catch (const std::exception& error) {
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-  }
+  });
 }
 
 void vtkFoamEvolverWriter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
 }

@@ -35,7 +35,7 @@ public:
   /**
    * What becomes of bubbles at the picture's border: Free (default), they have films along it;
    * Inner, they are left out, and stand for the world; Container, it is a wall, along which films
-   * slide; Periodic, it meets the opposite border.
+   * slide; Periodic, it meets the opposite border, and a foam with background all round it is free.
    */
   vtkSetClampMacro(Boundary, int, Free, Periodic);
   vtkGetMacro(Boundary, int);

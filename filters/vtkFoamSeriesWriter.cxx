@@ -2,17 +2,12 @@
 #include "vtkFoamSeriesWriter.h"
 
 #include <algorithm>
-#include <exception>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
-#include "vtkAppendPolyData.h"
-#include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -50,27 +45,6 @@ std::string Vtp(vtkPolyData* data) {
   return writer->GetOutputString();
 }
 
-/// What several processes have of a data set, in one. The parts that some have of others' to look
-/// at are left out.
-vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces) {
-  vtkNew<vtkAppendPolyData> joined;
-  vtkNew<vtkFieldData> ofTheWhole;
-  for (const auto& piece : pieces) {
-    auto* part = vtkPolyData::SafeDownCast(piece);
-    if (part && part->GetNumberOfCells() > 0) {
-      if (ofTheWhole->GetNumberOfArrays() == 0) {
-        ofTheWhole->ShallowCopy(part->GetFieldData());
-      }
-      part->RemoveGhostCells(); // and all field data with them
-      joined->AddInputData(part);
-    }
-  }
-  joined->Update();
-  vtkSmartPointer<vtkPolyData> whole = joined->GetOutput();
-  whole->SetFieldData(ofTheWhole);
-  return whole;
-}
-
 } // namespace
 
 /// The time steps that are to be written, and how far that is.
@@ -91,30 +65,11 @@ struct vtkFoamSeriesWriter::Loop {
   std::optional<foam::filters::FrameSeries> Series;
 };
 
-vtkFoamSeriesWriter::vtkFoamSeriesWriter()
-    : Controller(vtkMultiProcessController::GetGlobalController()),
-      Present(std::make_unique<Loop>()) {}
+vtkFoamSeriesWriter::vtkFoamSeriesWriter() : Present(std::make_unique<Loop>()) {}
 
 vtkFoamSeriesWriter::~vtkFoamSeriesWriter() = default;
 
-void vtkFoamSeriesWriter::SetController(vtkMultiProcessController* controller) {
-  if (this->Controller != controller) {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
-
-vtkMultiProcessController* vtkFoamSeriesWriter::GetController() {
-  return this->Controller;
-}
-
-int vtkFoamSeriesWriter::FillInputPortInformation(int, vtkInformation* info) {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // what it is, is told once
-  return 1;
-}
-
 int vtkFoamSeriesWriter::Write() {
-  this->SetErrorCode(vtkErrorCode::NoError);
   this->SetAbortExecute(0); // what ended an earlier series
   *this->Present = {};
   const int written = this->Superclass::Write();
@@ -133,13 +88,8 @@ vtkTypeBool vtkFoamSeriesWriter::ProcessRequest(vtkInformation* request,
     loop.Times.assign(times, times + count);
     return 1;
   }
-  if (request->Has(SDDP::REQUEST_UPDATE_EXTENT())) {
-    if (loop.Next < loop.Times.size()) {
-      input->Set(SDDP::UPDATE_TIME_STEP(), loop.Times[loop.Next]);
-    }
-    input->Set(SDDP::UPDATE_PIECE_NUMBER(), this->Piece);
-    input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), this->NumberOfPieces);
-    return 1;
+  if (request->Has(SDDP::REQUEST_UPDATE_EXTENT()) && loop.Next < loop.Times.size()) {
+    input->Set(SDDP::UPDATE_TIME_STEP(), loop.Times[loop.Next]);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -164,33 +114,10 @@ int vtkFoamSeriesWriter::RequestData(vtkInformation* request, vtkInformationVect
 }
 
 void vtkFoamSeriesWriter::WriteData() {
-  const vtkSmartPointer<vtkPolyData> frame = this->WholeFrame();
+  const vtkSmartPointer<vtkPolyData> frame = this->WholeInput();
   if (this->Piece == 0) {
     this->Try([&] { this->WriteFrame(frame); });
   }
-}
-
-bool vtkFoamSeriesWriter::IsOneOfSeveral() const {
-  return this->NumberOfPieces > 1 && this->Controller &&
-         this->Controller->GetNumberOfProcesses() > 1;
-}
-
-/// The input, with what other processes have of it, in the first.
-vtkSmartPointer<vtkPolyData> vtkFoamSeriesWriter::WholeFrame() {
-  vtkSmartPointer<vtkPolyData> frame = vtkPolyData::SafeDownCast(this->GetInput());
-  if (this->IsOneOfSeveral()) {
-    const int spread = this->Piece > 0 && frame && frame->GetNumberOfCells() > 0;
-    int anywhere = 0;
-    this->Controller->AllReduce(&spread, &anywhere, 1, vtkCommunicator::MAX_OP);
-    if (anywhere) {
-      vtkNew<vtkPolyData> part;
-      part->ShallowCopy(frame);
-      std::vector<vtkSmartPointer<vtkDataObject>> pieces;
-      this->Controller->Gather(part, pieces, 0);
-      frame = this->Piece == 0 ? Joined(pieces) : nullptr;
-    }
-  }
-  return frame;
 }
 
 /// \throws FoamError if the input is no vtkPolyData
@@ -254,25 +181,8 @@ void vtkFoamSeriesWriter::FinishSeries() {
   loop.Series.reset();
 }
 
-/// Tells of what goes wrong.
-template <class Action> void vtkFoamSeriesWriter::Try(Action&& action) {
-  try {
-    action();
-  } catch (const std::system_error& error) {
-    this->SetErrorCode(static_cast<unsigned long>(error.code().value()));
-    vtkErrorMacro(<< error.what());
-  } catch (const std::exception& error) {
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-  }
-}
-
 void vtkFoamSeriesWriter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n"
-     << indent << "WriteTimeSteps: " << this->WriteTimeSteps << "\n"
-     << indent << "Append: " << this->Append << "\n"
-     << indent << "Piece: " << this->Piece << "\n"
-     << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n"
-     << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "WriteTimeSteps: " << this->WriteTimeSteps << "\n"
+     << indent << "Append: " << this->Append << "\n";
 }

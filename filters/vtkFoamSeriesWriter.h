@@ -25,28 +25,15 @@
 #define vtkFoamSeriesWriter_h
 
 #include <memory> // for the series
-#include <string> // for its name
 
 #include "vtkFoamFiltersModule.h" // for the export macro
-#include "vtkSmartPointer.h"      // for the controller
-#include "vtkWriter.h"
+#include "vtkFoamWriter.h"
 
-class vtkMultiProcessController;
-class vtkPolyData;
-
-class VTKFOAMFILTERS_EXPORT vtkFoamSeriesWriter : public vtkWriter {
+class VTKFOAMFILTERS_EXPORT vtkFoamSeriesWriter : public vtkFoamWriter {
 public:
   static vtkFoamSeriesWriter* New();
-  vtkTypeMacro(vtkFoamSeriesWriter, vtkWriter);
+  vtkTypeMacro(vtkFoamSeriesWriter, vtkFoamWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The series to write, NAME.pvd.
-   */
-  vtkSetStdStringFromCharMacro(FileName);
-  vtkGetCharFromStdStringMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -68,24 +55,6 @@ public:
   vtkBooleanMacro(Append, bool);
   ///@}
 
-  ///@{
-  /**
-   * The piece of this process, of NumberOfPieces. Default 0 of 1.
-   */
-  vtkSetMacro(Piece, int);
-  vtkGetMacro(Piece, int);
-  vtkSetMacro(NumberOfPieces, int);
-  vtkGetMacro(NumberOfPieces, int);
-  ///@}
-
-  ///@{
-  /**
-   * The processes that share the pieces. Default: the global controller.
-   */
-  void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
   /**
    * Writes. \returns 1, or 0 after an error, with GetErrorCode() its cause: an errno or one of
    * vtkErrorCode.
@@ -96,7 +65,6 @@ protected:
   vtkFoamSeriesWriter();
   ~vtkFoamSeriesWriter() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -109,18 +77,11 @@ private:
 
   struct Loop;
 
-  bool IsOneOfSeveral() const;
-  vtkSmartPointer<vtkPolyData> WholeFrame();
   void WriteFrame(vtkPolyData* frame);
   void FinishSeries();
-  template <class Action> void Try(Action&& action);
 
-  std::string FileName;
   bool WriteTimeSteps = true;
   bool Append = false;
-  int Piece = 0;
-  int NumberOfPieces = 1;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<Loop> Present;
 };
 

@@ -2,8 +2,10 @@
 #include "construct/from_labels.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -27,6 +29,11 @@ public:
   LabelFoam run() {
     close_lines();
     find_regions();
+    if (const std::optional<LabelImage> plane = unrolled()) {
+      LabelOptions free = options_;
+      free.border = PictureBorder::Films;
+      return Picture(*plane, free).run();
+    }
     leave_out_background();
     if (options_.border == PictureBorder::LeftOut) {
       leave_out_border();
@@ -193,6 +200,72 @@ private:
       }
       ++pixels_[place_of(region_[p])];
     }
+  }
+
+  /// The picture of a torus on which background goes all round the foam, as one in the plane; none
+  /// if it is no such torus.
+  std::optional<LabelImage> unrolled() const {
+    Index around = kNone; // the largest region of background
+    for (Index r = 0; place_of(r) < label_.size(); ++r) {
+      if (wraps_ && label_[place_of(r)] == options_.background &&
+          (around == kNone || pixels_[place_of(r)] > pixels_[place_of(around)])) {
+        around = r;
+      }
+    }
+    if (around == kNone) {
+      return std::nullopt;
+    }
+    // Where pixels lie that hang together, from the first of them on.
+    const Index w = image_.width;
+    const Index h = image_.height;
+    std::vector<std::array<Index, 2>> place(labels_.size());
+    std::vector<char> placed(labels_.size(), 0);
+    std::array<Index, 2> low{0, 0};
+    std::array<Index, 2> high{w - 1, h - 1};
+    std::vector<std::size_t> found;
+    for (std::size_t first = 0; first < labels_.size(); ++first) {
+      if (region_[first] == around || placed[first] != 0) {
+        continue;
+      }
+      place[first] = {static_cast<Index>(first % place_of(w)),
+                      static_cast<Index>(first / place_of(w))};
+      placed[first] = 1;
+      found.assign(1, first);
+      while (!found.empty()) {
+        const auto [x, y] = place[found.back()];
+        found.pop_back();
+        for (const auto& [i, k] : {std::array{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+          const std::size_t p = pixel(((i % w) + w) % w, ((k % h) + h) % h);
+          if (region_[p] == around) {
+            continue;
+          }
+          if (placed[p] != 0) {
+            if (place[p] != std::array{i, k}) {
+              return std::nullopt; // it goes round the torus
+            }
+            continue;
+          }
+          place[p] = {i, k};
+          placed[p] = 1;
+          low = {std::min(low[0], i), std::min(low[1], k)};
+          high = {std::max(high[0], i), std::max(high[1], k)};
+          found.push_back(p);
+        }
+      }
+    }
+    LabelImage plane;
+    plane.pixel = image_.pixel;
+    plane.corner = image_.corner + Vec2{low[0] * image_.pixel.x, low[1] * image_.pixel.y};
+    plane.width = high[0] - low[0] + 1;
+    plane.height = high[1] - low[1] + 1;
+    plane.labels.assign(place_of(plane.width) * place_of(plane.height), *options_.background);
+    for (std::size_t p = 0; p < labels_.size(); ++p) {
+      if (region_[p] != around) {
+        plane.labels[place_of(place[p][1] - low[1]) * place_of(plane.width) +
+                     place_of(place[p][0] - low[0])] = labels_[p];
+      }
+    }
+    return plane;
   }
 
   template <class Visit> void for_each_on_border(Visit&& visit) const {

@@ -43,7 +43,8 @@ struct LabelFoam : DivisionFoam {
 /// The foam with the neighbours and areas of a picture's regions. A region is what hangs together
 /// of a label by the sides of pixels; its bubble has the label as its id, further ones of a label
 /// have higher ids than there are labels. Lines of background that are one or two pixels wide are
-/// closed first. Films are arcs with the area of the pixels beside them.
+/// closed first. Films are arcs with the area of the pixels beside them. On a torus on which
+/// background goes all round the foam that is free, in one piece wherever the border cuts it.
 /// \throws FoamError for labels that are negative, pictures without bubbles, and walls that have
 /// background beside them
 LabelFoam build_from_labels(const LabelImage& image, const LabelOptions& options);

@@ -37,6 +37,7 @@ const Keywords& header_keywords() {
   static const Keywords keywords = {
       {"linear", {Flag}},
       {"quadratic", {Flag}},
+      {"fixed", {Flag}}, // the scale
       {"keep_originals", {Flag}},
       {"approximate_curvature", {Flag}},
       {"approximate_curvatures", {Flag}},

@@ -56,8 +56,8 @@ public:
     set_surroundings();
     find_bodies();
     find_sides();
-    name_faces();
     result_.warnings = file_.warnings;
+    name_faces();
     take_walls();
     find_ends();
     chain_films();
@@ -194,6 +194,25 @@ private:
       }
     }
     std::ranges::sort(set_.bubbles, {}, &FilmSet::Bubble::id);
+    check_volumes();
+  }
+
+  /// One body of a torus, or between walls, may have what the others leave; where none at all has a
+  /// VOLUME, as of grains, all have what they have.
+  void check_volumes() {
+    const bool closed = file_.torus || held_;
+    const std::size_t without = without_volume_.size();
+    if (without == set_.bubbles.size() && without > 1) {
+      measured_ = true;
+      result_.warnings.push_back("line " + to_string(without_volume_[0].line) +
+                                 ": no body has a VOLUME: target areas are those that they have");
+    } else if (without > (closed ? 1 : 0)) {
+      const auto& [id, line, name] = without_volume_[closed ? 1 : 0];
+      fail_at(line, name + " has no VOLUME, and others have: bubbles have a given area" +
+                        (closed ? ", but for one on a torus or between walls" : ""));
+    } else if (without == 1) {
+      rest_ = without_volume_[0].id;
+    }
   }
 
   void add_bubble(std::int64_t id, double pressure, std::optional<double> volume, double constant,
@@ -203,10 +222,8 @@ private:
     if (!(area > 0)) {
       fail_at(line, "the area of " + name + " must be positive, but is " + number(area));
     }
-    const bool closed = file_.torus || held_;
-    if (!volume && (!closed || std::exchange(rest_, id) != kOutside)) {
-      fail_at(line, name + " has no VOLUME: bubbles have a given area" +
-                        (closed ? ", but for one on a torus or between walls" : ""));
+    if (!volume) {
+      without_volume_.push_back({id, line, name});
     }
     set_.bubbles.push_back({id, pressure, area});
   }
@@ -454,6 +471,12 @@ private:
   /// what the others leave.
   void complete_areas() {
     Foam& foam = result_.foam;
+    if (measured_) {
+      for (const Bubble b : foam.bubble_slots()) {
+        foam.target_area[b] = foam.area(b);
+      }
+      return;
+    }
     for (const Outside wall : foam.outside_slots()) {
       if (const Bubble host = foam.exterior[wall].host; host != kNone && !file_.torus) {
         foam.target_area[host] += foam.area_of_wall(wall);
@@ -501,7 +524,14 @@ private:
   EvolverFoam result_;
   FilmSet set_;
   bool mirrored_ = false;
-  std::int64_t rest_ = kOutside;               ///< the bubble that has what the others leave
+  std::int64_t rest_ = kOutside; ///< the bubble that has what the others leave
+  struct WithoutVolume {
+    std::int64_t id;
+    int line;
+    std::string name;
+  };
+  std::vector<WithoutVolume> without_volume_;
+  bool measured_ = false;                      ///< whether target areas are the areas
   std::vector<Index> body_of_;                 ///< of a face
   std::vector<std::int64_t> bubble_of_;        ///< of a face
   std::vector<std::array<Index, 2>> sides_;    ///< of an edge: the faces left and right

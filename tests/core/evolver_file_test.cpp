@@ -389,6 +389,27 @@ TEST(EvolverFile, WhatIsNoFoamIsAnErrorWithItsLine) {
   }
 }
 
+/// Grains have no VOLUME, be they on a torus or free; and Evolver's scale may be fixed.
+TEST(EvolverFile, WithoutVolumesAreasAreThoseThatItHas) {
+  Foam foam = random_foam(30, Boundary::Periodic, 4);
+  std::string text = write_evolver(foam);
+  text = replaced(text, "QUADRATIC\n",
+                  "autopop\nautochop 0.015\narea_normalization\nscale 5e-006 fixed\nQUADRATIC\n");
+  std::istringstream lines(text);
+  std::string grains;
+  for (std::string line; std::getline(lines, line);) {
+    const auto volume = line.find(" VOLUME");
+    grains += line.substr(0, volume) + "\n";
+  }
+  const EvolverFoam read_grains = read(grains);
+  ASSERT_EQ(read_grains.warnings.size(), 1u) << read_grains.warnings[1];
+  EXPECT_NE(read_grains.warnings[0].find("no body has a VOLUME"), std::string::npos);
+  expect_valid(read_grains.foam);
+  for (const Bubble b : foam.bubble_slots()) {
+    EXPECT_NEAR(read_grains.foam.target_area[b], foam.area(b), 1e-13);
+  }
+}
+
 TEST(EvolverFile, WhatIsSkippedIsTold) {
   const auto warning_of = [](const std::string& text) {
     const auto warnings = read(text).warnings;

@@ -352,7 +352,7 @@ TEST(EvolverWalls, ThatCannotBeHereAreAnErrorWithTheirLine) {
        "line 21: edge 3 and edge 1 are one wall, but differ in their tensions"},
       {"VOLUME 2", "VOLUME 3", "the target areas add up to 4, but the area of the container is 3"},
       {"VOLUME 1", "", "no error"},
-      {"1 VOLUME 1\n2 2 VOLUME 2", "1\n2 2", "line 31: body 2 has no VOLUME"},
+      {"1 VOLUME 1\n2 2 VOLUME 2", "1\n2 2", "no error"}, // as grains, which keep theirs
       {"1 1 7 5 6\n2 2 3 4 -7", "1 1 7 5 6\n2 2 3 4",
        "line 28: face 2 is open after edge 4, and no walls close it"},
   };

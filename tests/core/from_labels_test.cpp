@@ -247,6 +247,35 @@ TEST(FromLabels, BorderIsWhatIsAskedFor) {
   EXPECT_NEAR(gas(torus), 1600, 1e-6);
 }
 
+/// A foam in a gas on a torus is the same wherever the picture's border cuts it.
+TEST(FromLabels, BackgroundRoundAFoamOnATorusIsAGas) {
+  const std::vector<std::string> rows = {"00000000", "00112200", "00112200", "00333300",
+                                         "00000000"};
+  LabelOptions torus;
+  torus.border = PictureBorder::Torus;
+  const LabelImage image = enlarged(drawn(rows), 4);
+  const Foam whole = build_from_labels(image, {}).foam;
+  for (const Index right : {0, 13, 20}) {
+    for (const Index up : {0, 7, 11}) {
+      LabelImage moved = image;
+      for (Index y = 0; y < image.height; ++y) {
+        for (Index x = 0; x < image.width; ++x) {
+          const Index to = (y + up) % image.height * image.width + (x + right) % image.width;
+          moved.labels[place_of(to)] = image.labels[place_of(y * image.width + x)];
+        }
+      }
+      const LabelFoam found = build_from_labels(moved, torus);
+      expect_valid(found.foam);
+      EXPECT_EQ(found.foam.surroundings.boundary, Boundary::Free);
+      EXPECT_EQ(neighbours(found.foam), neighbours(whole));
+      EXPECT_EQ(ids(found.foam), ids(whole));
+      EXPECT_EQ(found.pockets + found.left_out + found.split_labels, 0);
+      EXPECT_NEAR(gas(found.foam), gas(whole), 1e-12);
+      EXPECT_NEAR(found.foam.energy(), whole.energy(), 1e-12);
+    }
+  }
+}
+
 TEST(FromLabels, WhatIsNoBubbleIsCounted) {
   const auto made = [](const std::vector<std::string>& rows) {
     LabelFoam foam = build_from_labels(enlarged(drawn(rows), 4), {});

@@ -52,7 +52,9 @@ output.GetCellData().AddArray(ghosts)
 ''')
 for name, proxy, port in (("films", coarsen, 0), ("bubbles", coarsen, 1), ("shared", shared, 0), ("sphere", Sphere(), 0)):
     SaveData(f"{folder}/{name}.pvd", proxy=OutputPort(proxy, port))
-again = {}
+SaveData(f"{folder}/films.fe", proxy=OutputPort(coarsen, 0))
+SaveData(f"{folder}/shared.fe", proxy=OutputPort(shared, 0))
+again = {"evolver": FoamEvolverReader(FileName=f"{folder}/shared.fe").GetDataInformation(0).GetNumberOfCells()}
 for name in ("films", "shared", "sphere"):
     reader = PVDReader(FileName=f"{folder}/{name}.pvd")
     reader.UpdatePipeline(reader.TimestepValues[-1] if len(reader.TimestepValues) else 0)
@@ -99,6 +101,7 @@ class Processes(unittest.TestCase):
         # Several processes list what they share in another order, and ParaView writes a sphere in pieces.
         files = {path.relative_to(folder): path.read_bytes() for name in ("films", "bubbles")
                  for path in (folder / f"{name}.pvd", *(folder / name).iterdir())}
+        files[Path("films.fe")] = (folder / "films.fe").read_bytes()
         return files, json.loads((folder / "counts.json").read_text())
 
     def check(self, found, processes):
@@ -110,10 +113,10 @@ class Processes(unittest.TestCase):
 
     def test_one_process(self):
         files, numbers = self.alone
-        self.assertEqual(len(files), 2 * 14)
+        self.assertEqual(len(files), 2 * 14 + 1)
         self.assertEqual(numbers["processes"], 1)
         self.assertEqual(numbers["again"], {"films": numbers["counts"][0], "shared": numbers["counts"][0], "sphere": 96,
-                                            "bubbles": numbers["counts"][1]})
+                                            "evolver": numbers["counts"][0], "bubbles": numbers["counts"][1]})
         films, bubbles, summary, _, rows, _ = numbers["counts"]
         self.assertIn(["Mu2", "0", "3"], [row[:3] for row in numbers["pooled"]])
         self.assertEqual((films, summary, rows), (3 * bubbles, 1, bubbles))  # Euler's formula on the torus

@@ -71,7 +71,7 @@ class Example(unittest.TestCase):
 class Short(unittest.TestCase):
     def test_examples_are_short_enough_to_be_read(self):
         for name in ("film", "continue_run", "clusters", "parameter_study", "foam_from_picture", "ensemble",
-                     "foam_in_channel", "foam_in_outline", "shear"):
+                     "foam_in_channel", "foam_in_outline", "shear", "shear_and_coarsen"):
             self.assertLessEqual(len((EXAMPLES / f"{name}.py").read_text().splitlines()), 60, name)
 
 
@@ -181,6 +181,18 @@ class Shear(Example):
         for name in ("stress.png", "foam.png"):
             with Image.open(self.folder / name) as picture:
                 self.assertGreater(len(set(picture.convert("RGB").resize((60, 60)).getdata())), 50)
+
+
+    def test_and_coarsening_in_turns(self):
+        words = self.run_example("shear_and_coarsen.py", "--rates", 0, 1, "--bubbles", 40, "--frames", 6, "--runs", 2)
+        self.assertEqual(words.count("T1s a bubble"), 2)
+        rows = rows_of(self.folder / "growth.csv")
+        still, sheared = ([row["MeanArea"] for row in rows if row["Rate"] == rate] for rate in (0, 1))
+        self.assertEqual((still[0], sheared[0]), (1, 1))
+        for areas in (still, sheared):  # bubbles vanish, and none is made
+            self.assertEqual(areas, sorted(areas))
+            self.assertGreater(areas[-1], 1.5)
+        self.assertNotEqual(still, sheared)
 
 
 class ParameterStudy(Example):

@@ -19,7 +19,7 @@ inline void expect_events_of(const Evolution& evolution, const FoamRecord& befor
   double time = before.time;
   for (const TopologicalEvent& event : evolution.events()) {
     ++counts[static_cast<std::size_t>(event.kind)];
-    EXPECT_GE(event.time, time) << where;
+    EXPECT_GE(event.time, time * (1 - 1e-12)) << where;
     time = event.time;
     if (event.kind != TopologicalOperation::Kind::T1) {
       for (const Bubble b : foam.bubble_slots()) {

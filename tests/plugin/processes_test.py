@@ -54,7 +54,9 @@ for name, proxy, port in (("films", coarsen, 0), ("bubbles", coarsen, 1), ("shar
     SaveData(f"{folder}/{name}.pvd", proxy=OutputPort(proxy, port))
 SaveData(f"{folder}/films.fe", proxy=OutputPort(coarsen, 0))
 SaveData(f"{folder}/shared.fe", proxy=OutputPort(shared, 0))
-again = {"evolver": FoamEvolverReader(FileName=f"{folder}/shared.fe").GetDataInformation(0).GetNumberOfCells()}
+evolver = FoamEvolverReader(FileName=f"{folder}/shared.fe")
+evolver.UpdatePipeline()
+again = {"evolver": evolver.GetDataInformation(0).GetNumberOfCells()}
 for name in ("films", "shared", "sphere"):
     reader = PVDReader(FileName=f"{folder}/{name}.pvd")
     reader.UpdatePipeline(reader.TimestepValues[-1] if len(reader.TimestepValues) else 0)

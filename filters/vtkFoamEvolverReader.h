@@ -4,17 +4,17 @@
  * @brief Reads a two-dimensional foam of Surface Evolver's, a datafile (.fe) or a dump (.dmp).
  *
  * The file is one of the STRING model, free, on a torus that the foam fills or between walls, with
- * straight or quadratic edges. Edges that meet two by two are one film: the arc that has their area beside it.
- * A film pulls with the edge's tension, 1 if the file does not say; bubbles have the VOLUME of
- * their bodies as their target area, and BubbleId is the body's attribute of that name, its
- * ORIGINAL or its number. Lengths are the file's.
+ * straight or quadratic edges. Edges that meet two by two are one film: the arc that has their area
+ * beside it. A film pulls with the edge's tension, 1 if the file does not say; bubbles have the
+ * VOLUME of their bodies as their target area, and BubbleId is the body's attribute of that name,
+ * its ORIGINAL or its number. Lengths are the file's.
  *
- * Edges on a CONSTRAINT or a BOUNDARY, a line or a circle, or FIXED, with one bubble beside them are
- * walls, along which films slide, or on which they are pinned where their vertices are FIXED.
+ * Edges on a CONSTRAINT or a BOUNDARY, a line or a circle, or FIXED, with one bubble beside them
+ * are walls, along which films slide, or on which they are pinned where their vertices are FIXED.
  *
  * What changes a foam in ways that it cannot have here is an error that names line and keyword:
- * other walls, fixed films, bubbles of free area, other energies. Keywords that are not known are skipped
- * with a warning, and commands after READ are not obeyed.
+ * other walls, fixed films, bubbles of free area, other energies. Keywords that are not known are
+ * skipped with a warning, and commands after READ are not obeyed.
  *
  * Output port 0 are films and port 1 bubbles, as those of vtkFoamFromPoints. The films' field data
  * have ArcMisfit (cm), how far the farthest point of the file lies from the arc that stands for its

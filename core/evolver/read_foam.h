@@ -24,14 +24,14 @@ struct EvolverFoam {
 ///
 /// Edges that meet in a vertex two by two are one film: the arc that has the same ends and the same
 /// area beside it, so that bubbles keep their areas to the last digits. γ is half the tension that
-/// films have, or half the median where they differ. VOLUME is the target area; on a torus and between
-/// walls one body may leave it to the others, and pressures are above its. BubbleId is the body's attribute of that name, its ORIGINAL, or its
-/// number. Commands are not obeyed.
+/// films have, or half the median where they differ. VOLUME is the target area; on a torus and
+/// between walls one body may leave it to the others, and pressures are above its. BubbleId is the
+/// body's attribute of that name, its ORIGINAL, or its number. Commands are not obeyed.
 ///
-/// Edges that keep to a CONSTRAINT or a BOUNDARY, or are FIXED, with a bubble on one side, are walls:
-/// lines and circles along which films slip, or on which they are pinned where their vertices are
-/// FIXED. Faces that are open along walls are closed. Walls enclose the foam, and on a torus they
-/// make a channel; those with no bubble beside them are obstacles that no film touches.
+/// Edges that keep to a CONSTRAINT or a BOUNDARY, or are FIXED, with a bubble on one side, are
+/// walls: lines and circles along which films slip, or on which they are pinned where their
+/// vertices are FIXED. Faces that are open along walls are closed. Walls enclose the foam, and on a
+/// torus they make a channel; those with no bubble beside them are obstacles that no film touches.
 ///
 /// \param include gives the content of a file that the text includes
 /// \throws FoamError with line and cause for what is no such foam: fixed films, walls of

@@ -100,7 +100,7 @@ public:
       return [&, mesh](double t1_length) { return newton_.equilibrate(mesh, t1_length, aborted); };
     };
     FoamView mesh = begin();
-    const FrameResult result = try_to_advance(mesh, false, on_its_own(mesh));
+    FrameResult result = try_to_advance(mesh, false, on_its_own(mesh));
     if (result.performed() && result.report.converged) {
       return result;
     }

@@ -7,8 +7,8 @@
 // of its gas in one, but in no more than kMostSteps. In a step those bubbles give way whose end has
 // come (NewtonRules), gas diffuses, and the foam finds its equilibrium. A bubble that would have to
 // give way and cannot, because a neighbour has two sides, say, keeps its gas until it can; in a
-// closed container what it does not give is taken from all others in proportion to their gas. So gas
-// is conserved, and none is made.
+// closed container what it does not give is taken from all others in proportion to their gas. So
+// gas is conserved, and none is made.
 #pragma once
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/number.h"
+#include "datafiles.h"
 #include "evolver/datafile.h"
 #include "evolver/read_foam.h"
 #include "evolver/write_foam.h"
@@ -66,20 +67,6 @@ BODIES
 1 1 VOLUME 9
 )";
 
-std::string no_file(const std::string& name) {
-  throw FoamError("cannot read " + name);
-}
-
-EvolverFoam read(const std::string& text) {
-  return read_evolver(text, no_file);
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), with);
-}
-
 std::string each_replaced(const std::string& text, const std::string& what,
                           const std::string& with) {
   std::string result;
@@ -89,15 +76,6 @@ std::string each_replaced(const std::string& text, const std::string& what,
     from = at + what.size();
   }
   return result + text.substr(from);
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FoamError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 void expect_same(const std::string& text, const std::string& as, const std::string& where) {

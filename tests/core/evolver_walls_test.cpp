@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "containers.h"
+#include "datafiles.h"
 #include "evolver/curve.h"
 #include "evolver/read_foam.h"
 #include "evolver/write_foam.h"
@@ -77,29 +78,6 @@ BODIES
 1 1 VOLUME 1
 2 2 VOLUME 2
 )";
-
-std::string no_file(const std::string& name) {
-  throw FoamError("cannot read " + name);
-}
-
-EvolverFoam read(const std::string& text) {
-  return read_evolver(text, no_file);
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), with);
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const FoamError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// A foam of two halves of a container that a film of length 1 parts.
 void expect_box(const std::string& text, WallContact contact, const std::string& where) {

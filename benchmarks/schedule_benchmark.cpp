@@ -24,9 +24,7 @@ int rounds(Host& host, Foam& foam, const ThesisRules& rules) {
   do {
     ++rounds;
   } while (reservations.round(view_of(foam), operations) > 0);
-  for (const TopologicalOperation& performed : reservations.take_performed()) {
-    note_performed(foam, performed);
-  }
+  note_performed(foam, reservations.take_performed());
   return rounds;
 }
 

@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from shear_statistics import STEP, STRAIN, deformation
+from shear_statistics import STRAIN, deformation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 

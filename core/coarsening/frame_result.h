@@ -21,10 +21,10 @@ struct FrameResult {
   bool performed() const { return !end; }
 
   /// Adds operations of some time (s) after the frame's begin.
-  void add(std::vector<TopologicalOperation> performed, double time) {
-    for (TopologicalOperation& operation : performed) {
-      operation.time = time;
+  void add(const std::vector<TopologicalOperation>& performed, double time) {
+    for (const TopologicalOperation& operation : performed) {
       operations.push_back(operation);
+      operations.back().time = time;
     }
   }
 };

@@ -25,9 +25,7 @@ struct NewtonResult {
 
 /// Notes in a foam what has been done to its arrays.
 inline void note(Foam& foam, const NewtonResult& result) {
-  for (const TopologicalOperation& swap : result.swaps) {
-    note_performed(foam, swap);
-  }
+  note_performed(foam, result.swaps);
   foam.report = result.report;
 }
 

@@ -55,9 +55,7 @@ void perform_in_rounds(Foam& foam, const ThesisRules& rules) {
   Reservations<Host> reservations(host);
   reservations.run(view_of(foam), CollapseOperations<ThesisRules>{
                                       rules, FieldView<Film, std::uint8_t>(swappable.data())});
-  for (const TopologicalOperation& operation : reservations.take_performed()) {
-    note_performed(foam, operation);
-  }
+  note_performed(foam, reservations.take_performed());
 }
 
 void perform_topological_operations(Foam& foam, const ThesisRules& rules,

@@ -28,6 +28,12 @@ void note_performed(Foam& foam, TopologicalOperation performed) {
   foam.operations.push_back(performed);
 }
 
+void note_performed(Foam& foam, std::span<const TopologicalOperation> performed) {
+  for (const TopologicalOperation& operation : performed) {
+    note_performed(foam, operation);
+  }
+}
+
 std::array<Bubble, 2> perform_t1(Foam& foam, Film film) {
   const TopologicalOperation swap = swap_of(foam, film);
   const auto losers = swap_film(foam, film);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "mesh/foam.h"
 #include "topology/local_operations.h"
@@ -16,6 +17,7 @@ std::int64_t& count_of(FoamRecord& record, TopologicalOperation::Kind kind);
 
 /// Notes what has been done to the foam's arrays, at its time.
 void note_performed(Foam& foam, TopologicalOperation performed);
+void note_performed(Foam& foam, std::span<const TopologicalOperation> performed);
 
 /// Swaps a film (swap_film). \returns the two bubbles that lost a side.
 std::array<Bubble, 2> perform_t1(Foam& foam, Film film);

@@ -52,12 +52,6 @@ ThesisRules coarse_rules() {
           .two_sided_bubbles = TwoSidedBubbles::Remove};
 }
 
-template <class Executor> void note_all(Foam& foam, Reservations<Executor>& reservations) {
-  for (const TopologicalOperation& performed : reservations.take_performed()) {
-    note_performed(foam, performed);
-  }
-}
-
 /// A flag for each element of a kind, all of them set.
 template <class Element> class AllSet {
 public:
@@ -74,7 +68,7 @@ template <class Executor> Foam collapsed(Executor executor, Foam foam, const The
   AllSet swappable(foam.film_slots());
   Reservations<Executor> reservations(executor);
   reservations.run(view_of(foam), Operations{rules, swappable});
-  note_all(foam, reservations);
+  note_performed(foam, reservations.take_performed());
   return foam;
 }
 
@@ -125,7 +119,7 @@ TEST_P(Boundaries, MeshIsValidAfterEveryRound) {
     int rounds = 0;
     while (reservations.round(view_of(foam), Operations{coarse_rules(), swappable}) > 0) {
       expect_valid(foam);
-      note_all(foam, reservations);
+      note_performed(foam, reservations.take_performed());
       ASSERT_LT(++rounds, 1000);
     }
     EXPECT_GT(foam.t1_count, 50);
